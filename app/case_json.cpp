@@ -37,7 +37,7 @@ Json supply(const Supply& s) {
   Json json{
       {"kind", kinds[static_cast<int>(s.kind)]}, {"angle", degrees(s.angle)}, {"z", si(s.z, "m")}};
   const bool drilling = s.kind == SupplyKind::drilling;
-  if (s.kind == SupplyKind::hole || drilling) {
+  if (is_round(s)) {
     json["diameter"] = si(s.diameter, "m");
   } else if (s.kind == SupplyKind::axial_groove) {
     json["arc"] = degrees(s.arc);

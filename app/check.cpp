@@ -17,6 +17,7 @@
 #include "bearing/over_time/cycle_numbers.hpp"
 #include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
+#include "core/make_grid.hpp"
 #include "core/round_off.hpp"
 #include "fidelity/estimate.hpp"
 #include "fidelity/estimate_bars.hpp"

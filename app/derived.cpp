@@ -122,8 +122,7 @@ Derived derive(const Case& subject) {
   d.petroff_torque = 2.0 * kPi * d.eta * omega * R * R * R * b.width / c;
   d.petroff_power = d.petroff_torque * omega;
   d.heat_per_pass = 4.0 * kPi * d.eta * omega * (R / c) * (R / c) / (d.rho * d.cp);
-  const double sigma =
-      std::hypot(subject.surfaces.shell.roughness, subject.surfaces.shaft.roughness);
+  const double sigma = bearing::combined_roughness(subject.surfaces);
   if (sigma > 0.0) d.lambda = d.h_min / sigma;
   return d;
 }

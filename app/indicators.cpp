@@ -106,11 +106,9 @@ void add_oil(const Case& subject, const Derived& d, std::vector<Indicator>& list
 /// from a circle of its width around, s ln(1 + land/s), s half of that; the land where it is long
 /// around (textbook: flow from a circle into a plane).
 double way_of_fed_oil(const Case& subject, const Supply& supply) {
-  const bool round = supply.kind == SupplyKind::hole || supply.kind == SupplyKind::drilling;
-  const double along = round ? supply.diameter : supply.length;
-  const double around = round ? supply.diameter : supply.arc * subject.bearing.radius;
-  const double land = 0.5 * subject.bearing.width - std::abs(supply.z) - 0.5 * along;
-  const double s = 0.5 * around;
+  const Supply mouth = bearing::enclosed(supply, subject.bearing.radius);
+  const double land = 0.5 * subject.bearing.width - std::abs(supply.z) - 0.5 * mouth.length;
+  const double s = 0.5 * mouth.arc * subject.bearing.radius;
   if (!(land > 0.0) || !(s > 0.0) || goes_all_round(supply)) return land;
   return s * std::log1p(land / s);
 }

@@ -38,6 +38,19 @@ constexpr std::array kShown{Shown{"friction_torque", "torque", true},
                             Shown{"side_flow", "side flow"},
                             Shown{"T_film_max", "T film max", true},
                             Shown{"T_shell_back", "T back"}};
+/// And in a table of its own, where they are wanted.
+constexpr std::array kCoefficients{
+    Shown{"K_xx", "Kxx"},
+    Shown{"K_xy", "Kxy"},
+    Shown{"K_yx", "Kyx"},
+    Shown{"K_yy", "Kyy"},
+    Shown{"C_xx", "Cxx"},
+    Shown{"C_xy", "Cxy"},
+    Shown{"C_yx", "Cyx"},
+    Shown{"C_yy", "Cyy"},
+    Shown{"whirl_critical_mass", "critical mass"},
+    Shown{"whirl_ratio", "whirl ratio"},
+};
 
 struct Column {
   SweepQuantity quantity;
@@ -47,11 +60,12 @@ struct Column {
   bool with_bar = false;
 };
 
-std::vector<Column> shown_columns(const Sweep& sweep) {
+template <std::size_t N>
+std::vector<Column> columns_of(const Sweep& sweep, const std::array<Shown, N>& wanted) {
   constexpr double kRoundOff = 1e-9;  // of the largest value of the column [-]
   const auto all = sweep_quantities(sweep);
   std::vector<Column> columns;
-  for (const Shown& shown : kShown) {
+  for (const Shown& shown : wanted) {
     const auto it =
         std::find_if(all.begin(), all.end(), [&](const auto& q) { return q.name == shown.name; });
     if (it == all.end()) continue;
@@ -66,8 +80,7 @@ std::vector<Column> shown_columns(const Sweep& sweep) {
   return columns;
 }
 
-void print_points(std::ostream& out, const Sweep& sweep) {
-  const auto columns = shown_columns(sweep);
+void print_points(std::ostream& out, const Sweep& sweep, const std::vector<Column>& columns) {
   TextTable table(0);
   std::vector<std::string> names;
   std::vector<std::string> units;
@@ -210,7 +223,13 @@ void write_sweep_table(std::ostream& out, const bearing::Case& subject, const Sw
   if (!changes.empty()) out << changes << '\n';
   for (const auto& axis : sweep.axes) out << axis_words(axis) << '\n';
   out << count_words(sweep) << "\n\n";
-  print_points(out, sweep);
+  print_points(out, sweep, columns_of(sweep, kShown));
+  const std::vector<Column> coefficients = columns_of(sweep, kCoefficients);
+  if (!coefficients.empty()) {
+    out << "\nlinear coefficients, force on the journal = -K x - C dx/dt, x right, y up; a rigid "
+           "rotor's whirl\n\n";
+    print_points(out, sweep, coefficients);
+  }
   print_bars(out, subject, sweep);
   print_failures(out, sweep);
   print_audit(out, sweep);

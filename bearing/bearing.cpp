@@ -1,15 +1,14 @@
 #include "bearing/bearing.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "bearing/bore_shape.hpp"
 #include "bearing/possible_methods.hpp"
 #include "bearing/solids.hpp"
 #include "core/bulk_node.hpp"
-#include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "core/even_layers.hpp"
+#include "core/make_grid.hpp"
 #include "core/ring_matrix.hpp"
 #include "rheology/viscosity.hpp"
 
@@ -18,7 +17,8 @@ namespace {
 
 std::vector<fluid::SupplyPatch> patches_of(const Case& c) {
   std::vector<fluid::SupplyPatch> patches;
-  for (const Supply& s : c.supplies) {
+  for (const Supply& given : c.supplies) {
+    const Supply s = enclosed(given, c.bearing.radius);
     fluid::SupplyPatch p;
     p.phi = s.angle;
     p.z = s.z;
@@ -27,11 +27,7 @@ std::vector<fluid::SupplyPatch> patches_of(const Case& c) {
     p.pressure = s.pressure;
     p.depth = s.depth;
     p.moving = s.kind == SupplyKind::drilling;
-    if (s.kind == SupplyKind::hole || p.moving) {
-      p.round = true;
-      p.arc = s.diameter / c.bearing.radius;
-      p.length = s.diameter;
-    }
+    p.round = is_round(s);
     patches.push_back(p);
   }
   return patches;
@@ -58,6 +54,13 @@ CrossFilmNodes nodes_across(const Case& c, const Physics& physics) {
 }
 
 }  // namespace
+
+rheology::Oil oil_of(const Case& c, const Physics& physics) {
+  rheology::Oil oil = c.oil;
+  if (!physics.pressure_dependence) oil = rheology::without_pressure_effect(oil);
+  if (!physics.shear_thinning) oil = rheology::without_shear_thinning(oil);
+  return oil;
+}
 
 std::optional<solid::AsperityContact> contact_of(const Case& c) {
   if (!c.surfaces.contact) return {};
@@ -134,9 +137,7 @@ BearingModel make_bearing(const Case& c, const Physics& physics, std::array<int,
   expect_possible_methods(c, physics);
   m.gl = nodes_across(c, physics);
   m.clearance = c.bearing.radial_clearance;
-  m.oil = c.oil;
-  if (!physics.pressure_dependence) m.oil = rheology::without_pressure_effect(m.oil);
-  if (!physics.shear_thinning) m.oil = rheology::without_shear_thinning(m.oil);
+  m.oil = oil_of(c, physics);
   fluid::FilmDomain& s = m.domain;
   s.grid = film_grid(c, grid);
   s.angles = fluid::Angles(s.grid);

@@ -32,6 +32,9 @@ struct BearingModel {
   fluid::CavitatedShear shear_rule = fluid::CavitatedShear::filled;
 };
 
+/// Its oil with the effects taken out that `physics` does not have.
+[[nodiscard]] rheology::Oil oil_of(const Case& c, const Physics& physics);
+
 /// Its two surfaces' contact with its limit, whatever the tier; none: not given.
 [[nodiscard]] std::optional<solid::AsperityContact> contact_of(const Case& c);
 

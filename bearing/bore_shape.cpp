@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/between.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
 #include "core/round_off.hpp"
@@ -14,25 +15,13 @@ namespace {
 
 /// Bilinear value of the profile table, periodic in phi, constant beyond its axial ends.
 double table_at(const Profile& p, double phi, double z) {
-  const int n = static_cast<int>(p.phi.size());
-  const int m = static_cast<int>(p.z.size());
-  const double turn = 2.0 * kPi;
-  phi -= turn * std::floor((phi - p.phi.front()) / turn);
-  phi = std::max(phi, p.phi.front());  // by a last digit it may lie before
-  const int right =
-      static_cast<int>(std::upper_bound(p.phi.begin(), p.phi.end(), phi) - p.phi.begin());
-  const int a = right - 1;
-  const int b = right < n ? right : 0;
-  const double end = right < n ? p.phi[right] : p.phi.front() + turn;
-  const double u = n > 1 ? (phi - p.phi[a]) / (end - p.phi[a]) : 0.0;
-  const int up = static_cast<int>(std::upper_bound(p.z.begin(), p.z.end(), z) - p.z.begin());
-  const int lo = std::clamp(up - 1, 0, m - 1);
-  const int hi = std::clamp(up, 0, m - 1);
-  const double v = hi > lo ? (z - p.z[lo]) / (p.z[hi] - p.z[lo]) : 0.0;
+  const Between around = between_around(p.phi, phi), along = shellback::between(p.z, z);
+  const auto m = static_cast<int>(p.z.size());
   const auto line = [&](int k) {
-    return (1.0 - v) * p.height[k * m + lo] + v * p.height[k * m + hi];
+    const double *row = p.height.data() + k * m, v = along.weight;
+    return (1.0 - v) * row[along.left] + v * row[along.right];
   };
-  return (1.0 - u) * line(a) + u * line(b);
+  return (1.0 - around.weight) * line(around.left) + around.weight * line(around.right);
 }
 
 /// Way into the opening at an edge over its length; 0 outside [-].

@@ -260,6 +260,19 @@ struct Case {
 /// A groove whose arc closes.
 [[nodiscard]] bool goes_all_round(const Supply& supply);
 
+/// A mouth with a diameter: a hole or a drilling.
+[[nodiscard]] inline bool is_round(const Supply& s) {
+  return s.kind == SupplyKind::hole || s.kind == SupplyKind::drilling;
+}
+/// The supply with arc and length of the rectangle that encloses it, in a bearing of `radius` [m].
+[[nodiscard]] Supply enclosed(Supply s, double radius);
+
+/// Combined roughness of both surfaces, sigma = (sigma_shell^2 + sigma_shaft^2)^(1/2) [m].
+[[nodiscard]] double combined_roughness(const Surfaces& s);
+
+/// Whether heat goes through the shell's back.
+[[nodiscard]] bool heat_leaves(const Shell& shell);
+
 /// Whether its surfaces are known to give way: shell and shaft both.
 [[nodiscard]] inline bool can_be_elastic(const Case& c) { return c.shell && c.shaft; }
 

@@ -14,10 +14,6 @@
 
 namespace shellback::bearing {
 
-bool thins(const rheology::Oil& oil) {
-  return !std::holds_alternative<rheology::NoShearThinning>(oil.shear);
-}
-
 namespace {
 
 /// Whether every stress belongs to one shear rate.
@@ -46,7 +42,7 @@ class ColumnBlock {
  public:
   ColumnBlock(const rheology::Oil& oil, const CrossFilmNodes& gl, double speed)
       : oil_(oil), gl_(gl), speed_(speed), eta_(gl.n), fluidity_(gl.n) {
-    if (!thins(oil)) return;
+    if (!rheology::thins(oil)) return;
     for (auto* rows : {&low_, &by_drag_, &by_centre_, &by_x_, &step_}) rows->resize(gl.n);
     for (auto* rows : {&rate_, &factor_, &slope_}) rows->resize(gl.n * kBlock);
   }
@@ -338,7 +334,7 @@ void update_columns(const rheology::Oil& oil, const CrossFilmNodes& gl, double s
   out.density.resize(cells);
   out.compressibility.resize(cells);
   c.mismatch = 0.0;
-  const bool thinning = thins(oil);
+  const bool thinning = rheology::thins(oil);
   out.thins_around.resize(thinning ? cells : 0);
   out.thins_along.resize(thinning ? cells : 0);
   if (!thinning) c.eta = low;

@@ -35,9 +35,6 @@ struct OilColumns {
 /// Columns of one temperature everywhere.
 [[nodiscard]] OilColumns uniform_columns(int cells, int nodes, double T);
 
-/// True if the viscosity follows the shear rate.
-[[nodiscard]] bool thins(const rheology::Oil& oil);
-
 /// Recomputes viscosities, integrals (1) and the film's coefficients for the present state.
 /// `h` is the gap for shear [m] (positive), `gradient_*` the pressure gradients at cells [Pa/m].
 /// Where `supply` is not negative oil is mixed and has one temperature, that of its inner nodes.

@@ -65,7 +65,7 @@ struct HeatRoot {
   [[nodiscard]] bool stable() const { return slope < 0.0; }
 };
 
-/// A limiter that acted: what, how often, where last.
+/// A limiter that acted, and how often.
 struct LimiterCount {
   Limiter what = Limiter::rejected_steps;
   long count = 0;

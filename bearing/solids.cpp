@@ -1,7 +1,6 @@
 #include "bearing/solids.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "bearing/case_limits.hpp"
 #include "core/contract.hpp"
@@ -126,7 +125,8 @@ Solids::Solids(const Case& c, const FilmGrid& grid, SolidEffects effects)
   if (!c.shaft) throw InputError("the shaft's data are needed; give [shaft] material");
   const int N = harmonics_.highest();
   const Layers layers = wall_layers(c);
-  const RevolutionMesh mesh = shell_mesh(c, layers, grid_, N);
+  shell_mesh_ = shell_mesh(c, layers, grid_, N);
+  const RevolutionMesh& mesh = shell_mesh_;
   if (effects.heat) build_heat(c, layers, mesh);
   if (effects.elastic || effects.thermal_deformation) {
     auto ops = solid::shell_elasticity(
@@ -198,7 +198,8 @@ void Solids::build_shaft(const Case& c) {
   const solid::Material& m = shaft.material;
   // Without overhang no ambient is met; temperatures count from one that they are near.
   shaft_ambient_ = shaft.overhang > 0.0 ? shaft.ambient : reference_;
-  const RevolutionMesh mesh = thermal::shaft_mesh(grid_, shaft.overhang);
+  shaft_mesh_ = thermal::shaft_mesh(grid_, shaft.overhang);
+  const RevolutionMesh& mesh = shaft_mesh_;
   shaft_conduction_.emplace(mesh, grid_,
                             thermal::ShaftBody{m.conductivity, shaft.heat_transfer, shaft_ambient_,
                                                m.density * m.heat_capacity});
@@ -242,6 +243,18 @@ HarmonicOperator Solids::contact_widening(double rate, const thermal::WallRespon
 
 Field Solids::widening(const HarmonicOperator& by, const Field& contact) const {
   return apply(harmonics_, by, contact);
+}
+
+HarmonicOperator Solids::opening_by_skins(const SkinNodes& shell) const {
+  const Eigen::SparseMatrix<double> nodes = nodes_of_skins(shell_mesh_, grid_, SkinOf::bore, shell);
+  HarmonicOperator computed;
+  for (const Eigen::MatrixXd& by_node : thermal_deformation_)
+    computed.emplace_back(by_node * nodes);
+  return sample_.complete(computed);
+}
+
+Eigen::MatrixXd Solids::opening_by_shaft_skins(const SkinNodes& shaft) const {
+  return shaft_thermal_deformation_ * nodes_of_skins(shaft_mesh_, grid_, SkinOf::journal, shaft);
 }
 
 Solids::MeanChange Solids::mean_change(const WallFlux& q, const Field& T_shell,

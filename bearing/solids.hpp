@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "bearing/case.hpp"
+#include "bearing/skin_nodes.hpp"
 #include "core/harmonics.hpp"
 #include "core/revolution_mesh.hpp"
 #include "thermal/film_energy.hpp"
@@ -82,6 +83,12 @@ class Solids {
                                                   const SolidStep* step = nullptr) const;
   /// Widening by a field and such an operator [m].
   [[nodiscard]] Field widening(const HarmonicOperator& by, const Field& contact) const;
+  /// How skins open the gap that are warmer than the temperatures of an answer or a state: those of
+  /// shell and housing harmonic by harmonic, those of the shaft all round, nz x (nz count), column
+  /// j count + s by 1 K of node s behind axial cell j. The meshes' own, (3) of
+  /// solid/revolution_elasticity.hpp: layers, supports and ends are those of the bodies [m/K].
+  [[nodiscard]] HarmonicOperator opening_by_skins(const SkinNodes& shell) const;
+  [[nodiscard]] Eigen::MatrixXd opening_by_shaft_skins(const SkinNodes& shaft) const;
   /// Winkler foundation that stands for the compliance in a preconditioner [m/Pa].
   [[nodiscard]] double winkler() const { return winkler_; }
 
@@ -155,6 +162,7 @@ class Solids {
   SolidEffects effects_;
   Harmonics harmonics_;
   HarmonicSample sample_;
+  RevolutionMesh shell_mesh_, shaft_mesh_;
   HarmonicOperator compliance_;
   double winkler_ = 0.0;
   std::optional<thermal::ShellConduction> conduction_;

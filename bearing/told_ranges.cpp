@@ -233,6 +233,14 @@ void add_layer_of_constant_thickness(const BearingModel& m, std::vector<Note>& a
   assumptions.emplace_back(note::Plain::layer_keeps_thickness);
 }
 
+void add_temperature_of_edge_oil(const BearingModel& m, Tier tier, std::vector<Note>& assumptions) {
+  if (m.physics.film_energy) {
+    assumptions.emplace_back(note::Plain::edge_oil_as_supply);
+  } else if (tier == Tier::lumped) {
+    assumptions.emplace_back(note::Plain::edge_oil_as_film);
+  }
+}
+
 std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) {
   std::vector<Note> out = oil_range_warnings(m.oil, reach.T_low, reach.T_high, reach.p_max);
   for (const Note& note : input_warnings(m.input, m.physics)) out.push_back(note);

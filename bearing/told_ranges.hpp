@@ -40,6 +40,10 @@ struct FilmReach {
 /// Its own growth in thickness is left out: an assumption of models that have both.
 void add_layer_of_constant_thickness(const BearingModel& m, std::vector<Note>& assumptions);
 
+/// How warm oil is taken to be that comes in at a side edge; nothing where the film's temperature
+/// is given.
+void add_temperature_of_edge_oil(const BearingModel& m, Tier tier, std::vector<Note>& assumptions);
+
 /// One note for each range that was left: temperature and pressure of the oil's laws, flow
 /// factors, contact (beyond its law, or held at the hardness): how much, where.
 [[nodiscard]] std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach);

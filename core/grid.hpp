@@ -10,7 +10,6 @@
 /// A half grid of a full grid with an odd number of axial cells begins with the half of the
 /// middle cell: its unknown sits on the plane of symmetry (z[0] = 0), its width is half. Its
 /// discrete solution is therefore that of the full grid, to round-off.
-#include <limits>
 #include <vector>
 
 namespace shellback {
@@ -42,39 +41,7 @@ struct FilmGrid {
   [[nodiscard]] int full_nz() const { return half ? (z[0] == 0.0 ? 2 * nz - 1 : 2 * nz) : nz; }
 };
 
-/// Axial cells that are finer at the side edges: faces at z = (B/2) tanh(a x)/tanh(a) for x evenly
-/// spaced in [-1, 1]; a = 0: even. Contact and elastic pressure are steepest there. With a = 2 the
-/// outermost cells are 0.15 of even ones, those at mid-width 2.07: set by the experiment of
-/// docs/decisions/031.
-inline constexpr double kEdgeGrading = 2.0;
-
-/// A place on which a face lies [rad, any branch; m, |z| < B/2].
-struct GridEdge {
-  double at = 0.0;
-  int strip = -1;       ///< its other edge has the same number; -1: not that of a strip
-  bool yields = false;  ///< that of an opening at the bearing's end
-  /// Diameter of the hole whose edge it is: axial cells beside it begin no wider than that over its
-  /// rows of cells, since pressure falls off as a logarithm there.
-  double beside = std::numeric_limits<double>::infinity();
-  GridEdge(double place, int of = -1, bool yield = false) : at(place), strip(of), yields(yield) {}
-};
-using GridEdges = std::vector<GridEdge>;
-
-/// Grid with `nt` x `full_nz` cells over the full bearing, as even as the edges allow once the
-/// axial grading has been applied.
-/// A face lies on each of `phi_edges` and `z_edges`, but edges closer together than a fifth of an
-/// even cell are merged, whatever the grading; those of one strip never are: however narrow, it has
-/// cells of its own. An axial edge that yields is left out where another, or mid-width, is nearer
-/// than a fifth of an even cell and of its distance to the end, and where cells are too few; so are
-/// edges of strips nearer to the end than that. A hole gets up to four rows of cells,
-/// one for each eight along the bearing; cells beside it begin as wide and grow by a half at most.
-/// With `half`, only |z_edges| on z >= 0 is used. Throws InputError if there are more edges than
-/// cells.
-[[nodiscard]] FilmGrid make_grid(double radius, double width, int nt, int full_nz, bool half,
-                                 const GridEdges& phi_edges = {}, const GridEdges& z_edges = {},
-                                 double grading = 0.0);
-
-/// Field on the full-width grid from one on a half grid (unchanged if the grid is full).
+/// The grid of both halves (a full grid: itself), and the field there of one on a half grid.
 [[nodiscard]] FilmGrid full_grid(const FilmGrid& grid);
 [[nodiscard]] Field mirror_to_full(const FilmGrid& grid, const Field& half_field);
 

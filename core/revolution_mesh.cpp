@@ -88,16 +88,13 @@ std::vector<double> cut(const std::vector<double>& face, int parts) {
   return fine;
 }
 
-struct GaussRule {
-  std::vector<double> x, w;
-};
+}  // namespace
+
 GaussRule gauss_rule(int order) {
   EXPECTS(order == 2 || order == 3);
   if (order == 2) return {{-std::sqrt(1.0 / 3.0), std::sqrt(1.0 / 3.0)}, {1.0, 1.0}};
   return {{-std::sqrt(0.6), 0.0, std::sqrt(0.6)}, {5.0 / 9.0, 8.0 / 9.0, 5.0 / 9.0}};
 }
-
-}  // namespace
 
 RevolutionMesh make_revolution_mesh(std::vector<double> r_face, std::vector<int> layer,
                                     std::vector<double> z_face, bool half) {

@@ -88,6 +88,12 @@ struct RadialRows {
 [[nodiscard]] std::vector<double> halved(const std::vector<double>& face);
 [[nodiscard]] RadialRows halved(const RadialRows& rows);
 
+/// Gauss points on [-1, 1] and their weights, 2 or 3 of them.
+struct GaussRule {
+  std::vector<double> x, w;
+};
+[[nodiscard]] GaussRule gauss_rule(int order);
+
 /// Shape functions of one element at one quadrature point.
 struct ShapePoint {
   double r = 0.0, z = 0.0;  ///< place [m]

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "bearing/judge/judge_case.hpp"
-#include "core/contract.hpp"
 #include "core/step_control.hpp"
 #include "core/stopwatch.hpp"
 #include "fidelity/cycle_bars.hpp"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "bearing/steady/effects.hpp"
 #include "core/largest.hpp"
 #include "fidelity/held_film.hpp"
 #include "fidelity/left_out.hpp"
@@ -92,7 +93,8 @@ NodeChoice choose_nodes(Solution& probe, double tolerance, bool given, const Sol
 EffectChoice choose_effects(const Solution& probe, double tolerance, const std::atomic<bool>* stop,
                             EquilibriumCost& cost) {
   const Case& c = probe.model.input;
-  EffectChoice out{bearing::summarize(probe, c.model.tier).effects, c.model.switches};
+  const Friction friction = friction_of(probe.model, probe.point, probe.film);
+  EffectChoice out{effects_of(probe, friction, c.model.tier), c.model.switches};
   for (Effect& e : out.effects) {
     if (!e.included) continue;
     const Held held{without(e.kind, probe.model.physics), e.kind != EffectKind::heating};

@@ -284,9 +284,8 @@ class TierSearch {
         q.error_grid += edge_error(finest_);  // of no grid, as `beyond`
       }
       if (given_by_case(case_, r.tier, q.name)) continue;
-      const bool coefficient = is_coefficient(q) || q.name.starts_with("whirl_");
       judged.emplace_back(&q, size);
-      bars_of_grid.push_back({&q.error_grid, size, is_part_of_friction(q.name) || coefficient});
+      bars_of_grid.push_back({&q.error_grid, size, is_part_of_friction(q.name) || is_of_motion(q)});
     }
     share_bars(bars_of_grid);
     share_bars_of_coefficients(judged);

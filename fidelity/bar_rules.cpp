@@ -17,7 +17,7 @@ void share_bars_of_coefficients(const Judged& judged) {
     if (is_coefficient(*q) && std::isfinite(bar)) longest = std::max(longest, bar);
   }
   for (const auto& [q, size] : judged) {
-    if (!is_coefficient(*q) && !q->name.starts_with("whirl_")) continue;
+    if (!is_of_motion(*q)) continue;
     if (std::isfinite(q->error_grid)) q->error_grid = std::max(q->error_grid, longest * size);
   }
 }

@@ -90,7 +90,7 @@ class Estimator {
     const double closest = load_angle_ + std::copysign(e.attitude, c_.operation.omega);
     e.side_flow = omega_ * b.radius * b.radial_clearance * scene_.width() * n.side +
                   pressure_fed_flow(c_, eps, closest, e.eta);
-    const double sigma = std::hypot(c_.surfaces.shell.roughness, c_.surfaces.shaft.roughness);
+    const double sigma = combined_roughness(c_.surfaces);
     e.lambda = sigma > 0.0 ? e.h_min / sigma : INFINITY;
     e.regime = regime_of(e, scene_.touches());
     return e;

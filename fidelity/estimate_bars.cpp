@@ -30,11 +30,10 @@ SupplyNumbers supply_numbers(const Case& c, const Estimate& e) {
   double force = 0.0, fed = 0.0;
   const double B = c.bearing.width, R = c.bearing.radius;
   const double h = c.bearing.radial_clearance * (1.0 + e.eps);  // where it is fed
-  for (const Supply& s : c.supplies) {
+  for (const Supply& given : c.supplies) {
+    const Supply s = enclosed(given, R);
     const double p = std::max(0.0, s.pressure);
-    const bool round = s.kind == SupplyKind::hole || s.kind == SupplyKind::drilling;
-    const double along = round ? s.diameter : s.length;
-    const double around = round ? s.diameter : s.arc * R;
+    const double along = s.length, around = s.arc * R;
     const bool ring = goes_all_round(s);
     if (!ring) {
       force += p * 0.5 * (along + B) * (2.0 * R * std::sin(0.5 * around / R) + 0.25 * B);
@@ -102,7 +101,7 @@ Indicators indicators(const Case& c, const Estimate& e) {
   const double taylor = 41.2 * std::sqrt(c.bearing.radius / gap);
   const Physics has = physics_of(c, Tier::isothermal);
   n.effects = {
-      {EffectKind::heating, false, n.heating},
+      {EffectKind::heating, true, n.heating},
       {EffectKind::temperature_across_film, false, nahme},
       {EffectKind::elastic_deformation, false, n.elastic},
       {EffectKind::thermal_deformation, false, n.thermal},

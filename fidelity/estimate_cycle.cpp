@@ -84,7 +84,7 @@ Estimate worst_of(const JournalPath& path, const Case& c, double T) {
   e.asperity_share = path.asperity_share();
   e.side_flow = mean_of(all, &CycleInstant::side_flow);
   for (const CycleInstant& i : all) e.load = std::max(e.load, std::hypot(i.load_x, i.load_y));
-  const double sigma = std::hypot(c.surfaces.shell.roughness, c.surfaces.shaft.roughness);
+  const double sigma = combined_roughness(c.surfaces);
   e.lambda = sigma > 0.0 ? e.h_min / sigma : INFINITY;
   return e;
 }

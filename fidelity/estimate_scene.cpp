@@ -29,18 +29,13 @@ std::pair<int, double> lands_of(const Case& c) {
 
 }  // namespace
 
-EstimateScene::EstimateScene(const Case& c) : c_(c), oil_(c.oil) {
+EstimateScene::EstimateScene(const Case& c) : c_(c) {
   const auto [lands, width] = lands_of(c);
   land_ = width;
   width_ = lands * width;
   const Physics physics = physics_of(c, Tier::isothermal);
-  if (!physics.pressure_dependence) oil_ = rheology::without_pressure_effect(oil_);
-  if (!physics.shear_thinning) oil_ = rheology::without_shear_thinning(oil_);
-  if (physics.contact && c.surfaces.contact) {
-    solid::ContactParameters contact = *c.surfaces.contact;
-    contact.hardness = hardness_of_contact(c);
-    contact_.emplace(c.surfaces.shell, c.surfaces.shaft, contact);
-  }
+  oil_ = oil_of(c, physics);
+  if (physics.contact) contact_ = contact_of(c);
 }
 
 double EstimateScene::viscosity(double eps, double T, double load, double omega) const {

@@ -50,7 +50,7 @@ struct GridValue {
 
 struct GridBar {
   double bar = 0.0;    ///< same unit as the values; NaN: unknown
-  double order = 0.0;  ///< observed order as used; NaN: two grids only
+  double order = 0.0;  ///< observed order as used; NaN: two grids, or no limit in sight
   double limit = 0.0;  ///< (5), same unit; NaN: one grid alone, or three without an order
 };
 

@@ -32,12 +32,12 @@ inline constexpr int kMoreNodes = 2;  ///< across the film; their number stays o
 /// out.
 [[nodiscard]] std::vector<Grid> coarse_grids(const bearing::Case& c);
 
+/// The last two of them: what bars of whole runs in time are made of.
+[[nodiscard]] std::vector<Grid> nearest_coarse_grids(const bearing::Case& c);
+
 /// The next finer one than that of the case, kRefinement times in each direction, along as far as
 /// there may be cells; none beyond the usual grid.
 [[nodiscard]] std::optional<Grid> finer_grid(const bearing::Case& c);
-
-/// The last two of them: what bars of whole runs in time are made of.
-[[nodiscard]] std::vector<Grid> nearest_coarse_grids(const bearing::Case& c);
 
 /// The case, in the tier and on the grid that it names, from a solution that is near (other grid,
 /// physics or nodes, same bearing), from cold if that does not converge; none if this does not

@@ -38,6 +38,7 @@ Solution held_film(const Solution& s, std::array<int, 2> grid, const Held& held,
   Solution out;
   out.T_film = s.T_film;
   out.model = make_bearing(s.model.input, film_only, grid);
+  out.model.gl = s.model.gl;  // on which its temperatures stand
   out.point = operating_point(out.model);
   out.film = carry_over(s.model, s.film, out.model);
   set_temperatures(s.model.input, held, out.model.gl, out.film.columns.T);

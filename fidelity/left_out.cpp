@@ -4,6 +4,7 @@
 
 #include "fidelity/grid_sequence.hpp"
 #include "fidelity/quantities.hpp"
+#include "rheology/viscosity.hpp"
 
 namespace shellback::fidelity {
 
@@ -18,9 +19,7 @@ bool is_rough(const Case& c) {
 bool is_piezoviscous(const Case& c) {
   return !std::holds_alternative<rheology::NoPressureEffect>(c.oil.pressure);
 }
-bool is_thinning(const Case& c) {
-  return !std::holds_alternative<rheology::NoShearThinning>(c.oil.shear);
-}
+bool is_thinning(const Case& c) { return rheology::thins(c.oil); }
 
 }  // namespace
 
@@ -62,11 +61,7 @@ bool switch_off(EffectKind effect, const Switches& given, Switches& switches) {
   return false;
 }
 
-bool knows_its_walls(const Case& c) {
-  if (!c.shell || !c.shaft) return false;
-  const auto* back = std::get_if<ConvectiveBack>(&c.shell->back);
-  return back == nullptr || back->heat_transfer > 0.0;
-}
+bool knows_its_walls(const Case& c) { return c.shell && c.shaft && heat_leaves(*c.shell); }
 
 std::vector<PhysicsStep> richer_physics(const Case& c, Tier tier) {
   const Physics has = physics_of(c, tier);

@@ -89,22 +89,19 @@ std::vector<HeatPath> solid_heat_paths(const Case& c, double k) {
 double pressure_fed_flow(const Case& c, double eps, double closest, double eta, double turned) {
   const Bearing& b = c.bearing;
   double flow = 0.0;
-  for (const Supply& s : c.supplies) {
-    const bool drilled = s.kind == SupplyKind::drilling;
-    const bool hole = drilled || s.kind == SupplyKind::hole;
-    const double middle = s.angle + (drilled ? turned : 0.0);
-    const double around = hole ? s.diameter : s.arc * b.radius;
-    const double length = hole ? s.diameter : s.length;
+  for (const Supply& given : c.supplies) {
+    const Supply s = enclosed(given, b.radius);
+    const double middle = s.angle + (s.kind == SupplyKind::drilling ? turned : 0.0);
     double h3 = 0.0;
     constexpr int kPoints = 16;  // around
     for (int k = 0; k < kPoints; ++k) {
-      const double phi = middle + around / b.radius * ((k + 0.5) / kPoints - 0.5);
+      const double phi = middle + s.arc * ((k + 0.5) / kPoints - 0.5);
       const double h = b.radial_clearance * (1.0 - eps * std::cos(phi - closest));
       h3 += h * h * h / kPoints;
     }
     for (const double z : {s.z, -s.z}) {
-      const double way = std::max(0.5 * (b.width - length) + z, 0.02 * b.width);
-      const double wide = std::min(around + way, 2.0 * kPi * b.radius);
+      const double way = std::max(0.5 * (b.width - s.length) + z, 0.02 * b.width);
+      const double wide = std::min(s.arc * b.radius + way, 2.0 * kPi * b.radius);
       flow += std::max(s.pressure, 0.0) * h3 / (12.0 * eta) * wide / way;
     }
   }

@@ -48,6 +48,8 @@ bool is_coefficient(const Quantity& q) {
   return q.name.size() == 4 && (q.name.starts_with("K_") || q.name.starts_with("C_"));
 }
 
+bool is_of_motion(const Quantity& q) { return is_coefficient(q) || q.name.starts_with("whirl_"); }
+
 double natural_size(const Quantity& q, double T_supply, const std::vector<Quantity>& all) {
   const auto length = [&](const std::string& vector) {
     return std::hypot(value_in(all, vector + "_x"), value_in(all, vector + "_y"));

@@ -29,6 +29,8 @@ using bearing::Quantity;
 
 /// True of an entry of the stiffness or the damping matrix.
 [[nodiscard]] bool is_coefficient(const Quantity& q);
+/// And of what follows from them, the threshold of whirl.
+[[nodiscard]] bool is_of_motion(const Quantity& q);
 
 /// The size against which a small change of the quantity is measured: for temperatures the rise
 /// above the supply, for components of a vector its length, else the value [unit of quantity].
@@ -47,9 +49,9 @@ using bearing::Quantity;
 /// law's constants. Else anywhere.
 [[nodiscard]] Range bounds_of(const bearing::Case& c, const std::string& name);
 
-/// Shortens bars of grid and model: summits take no more of the friction torque than it may be, and
-/// parts of their friction no more than theirs. Where the bar of the whole is not known theirs
-/// stay.
+/// Shortens bars of grid, steps and model: summits take no more of the friction torque than it may
+/// be, and parts of their friction no more than theirs. Where the bar of the whole is not known
+/// theirs stay.
 void bound_parts_of_friction(const std::vector<Quantity*>& list);
 
 /// How far the true value can be from `q` at most; infinity: it is not bounded.

@@ -9,6 +9,7 @@
 #include "fidelity/bar_rules.hpp"
 #include "fidelity/edge_error.hpp"
 #include "fidelity/grid_error.hpp"
+#include "rheology/viscosity.hpp"
 
 namespace shellback::fidelity {
 
@@ -16,9 +17,7 @@ using namespace bearing;
 
 namespace {
 
-bool nodes_matter(const BearingModel& m) {
-  return m.physics.film_energy || !std::holds_alternative<rheology::NoShearThinning>(m.oil.shear);
-}
+bool nodes_matter(const BearingModel& m) { return m.physics.film_energy || rheology::thins(m.oil); }
 
 /// `limit` if it can be one of the quantity, else not known.
 double limit_of(const Case& c, const Quantity& q, double limit) {
@@ -69,8 +68,7 @@ void put_grid_bars(const BarRecord& record, Result& result) {
     const bool known = q.error_grid < size;  // at all: else it leads anywhere
     q.limit = known ? limit_of(c, q, bar.limit) : NAN;
     judged.emplace_back(&q, size);
-    const bool coefficient = is_coefficient(q) || q.name.starts_with("whirl_");
-    bars.push_back({&q.error_grid, size, is_part_of_friction(q.name) || coefficient});
+    bars.push_back({&q.error_grid, size, is_part_of_friction(q.name) || is_of_motion(q)});
   }
   share_bars(bars);
   share_bars_of_coefficients(judged);

@@ -1,5 +1,5 @@
 #pragma once
-/// One case, one tier, one result with error bars: what `run` calls.
+/// One steady case, one tier, one result with error bars.
 #include "fidelity/grid_sequence.hpp"
 #include "fidelity/land_error.hpp"
 #include "fidelity/left_out.hpp"

@@ -16,6 +16,7 @@
 /// it the flow change without jumps. Valid while the mouth is wider than a cell's diagonal.
 #include <vector>
 
+#include "core/fitted_faces.hpp"
 #include "core/grid.hpp"
 
 namespace shellback::fluid {

@@ -41,6 +41,8 @@ Oil without_pressure_effect(Oil oil) {
   return oil;
 }
 
+bool thins(const Oil& oil) { return !std::holds_alternative<NoShearThinning>(oil.shear); }
+
 Oil without_shear_thinning(Oil oil) {
   oil.shear = NoShearThinning{};
   return oil;

@@ -38,8 +38,8 @@ void viscosity(const Oil& oil, std::span<const double> T, std::span<const double
 void pressure_slope(const Oil& oil, std::span<const double> T, std::span<const double> p,
                     std::span<double> slope);
 
-/// f(rate) [-] and its logarithmic slope d ln f / d ln rate [-] (shear.hpp) of every node, rate >= 0
-/// [1/s].
+/// f(rate) [-] and its logarithmic slope d ln f / d ln rate [-] (shear.hpp) of every node, rate >=
+/// 0 [1/s].
 void shear_factors(const Oil& oil, std::span<const double> rate, std::span<double> factor,
                    std::span<double> slope);
 
@@ -48,5 +48,7 @@ void shear_factors(const Oil& oil, std::span<const double> rate, std::span<doubl
 /// same value and slope at T = at, p = 0.
 [[nodiscard]] Oil without_pressure_effect(Oil oil);
 [[nodiscard]] Oil without_shear_thinning(Oil oil);
+/// True if the viscosity follows the shear rate.
+[[nodiscard]] bool thins(const Oil& oil);
 
 }  // namespace shellback::rheology

@@ -103,19 +103,14 @@ WallSkin::WallSkin(const std::vector<SkinLayer>& layers, double period, double s
   const auto widens = [&](double y) { return std::max(1.0 + curvature * y, 0.0); };
   conductance_.assign(n, back * widens(y_.back()));
   capacity_.assign(n, 0.0);
-  growth_.assign(n, {});
   for (std::size_t k = 0; k < intervals; ++k) {
     const SkinLayer& l = layers[depths.layer(0.5 * (x[k] + x[k + 1]))];
     const double length = y_[k + 1] - y_[k];
     conductance_[k] = l.conductivity * widens(0.5 * (y_[k] + y_[k + 1])) / length;
     for (const std::size_t at : {k, k + 1}) {
       if (at == n) continue;  // held at 0
-      const double half = 0.5 * length;
-      const double wide = half * widens(0.75 * y_[at] + 0.25 * y_[2 * k + 1 - at]);
-      capacity_[at] += wide * l.capacity;
-      growth_[at].own += half * l.own;
-      growth_[at].push += half * l.push;
-      growth_[at].stretch += wide * l.stretch;
+      const double wide = widens(0.75 * y_[at] + 0.25 * y_[2 * k + 1 - at]);
+      capacity_[at] += 0.5 * length * wide * l.capacity;
     }
   }
 }
@@ -150,16 +145,6 @@ void WallSkin::relax(const SkinStep& step, double* T) const {
 double WallSkin::heat(const double* T) const {
   double sum = 0.0;
   for (std::size_t k = 0; k < capacity_.size(); ++k) sum += capacity_[k] * T[k];
-  return sum;
-}
-
-SkinGrowth WallSkin::growth(const double* T) const {
-  SkinGrowth sum;
-  for (std::size_t k = 0; k < growth_.size(); ++k) {
-    sum.own += growth_[k].own * T[k];
-    sum.push += growth_[k].push * T[k];
-    sum.stretch += growth_[k].stretch * T[k];
-  }
   return sum;
 }
 

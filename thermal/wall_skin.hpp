@@ -15,9 +15,8 @@
 /// Over a step dt from the temperatures T_before (implicit Euler, or a stage of a diagonally
 /// implicit Runge-Kutta method)
 ///   (C/dt + K) T = C/dt T_before + e_0 q',   surface: T_0 = r_0 + Z q'                (2)
-/// Z the impedance, r what is left of before. Three integrals tell how the skin grows (SkinGrowth),
-/// for the body behind it to answer (bearing/over_time/skin_growth.hpp). Sources: textbook; methods
-/// 3.5.
+/// Z the impedance, r what is left of before. How walls grow by their skins is told by their meshes
+/// (bearing/skin_nodes.hpp). Sources: textbook; methods 3.5.
 #include <limits>
 #include <vector>
 
@@ -28,16 +27,6 @@ struct SkinLayer {
   double thickness = 0.0;     ///< [m]
   double conductivity = 0.0;  ///< [W/(m K)]
   double capacity = 0.0;      ///< rho c [J/(m3 K)]
-  double own = 0.0;           ///< growth in thickness, held in its plane, a kelvin [1/K]
-  double push = 0.0;          ///< force in its plane a kelvin, over a modulus [1/K]
-  double stretch = 0.0;       ///< growth in its plane, were it free, a kelvin [1/K]
-};
-
-/// Of a skin as warm as it is.
-struct SkinGrowth {
-  double own = 0.0;      ///< int own T dy [m]
-  double push = 0.0;     ///< int push T dy [m]
-  double stretch = 0.0;  ///< int w stretch T dy [m]
 };
 
 /// What depends on the length of a step alone.
@@ -65,13 +54,11 @@ class WallSkin {
   void relax(const SkinStep& step, double* T) const;
   /// Heat held per area [J/m2].
   [[nodiscard]] double heat(const double* T) const;
-  [[nodiscard]] SkinGrowth growth(const double* T) const;
 
  private:
   std::vector<double> y_;            ///< [m]
   std::vector<double> conductance_;  ///< between a node and the next one, or the back [W/(m2 K)]
   std::vector<double> capacity_;     ///< of a node [J/(m2 K)]
-  std::vector<SkinGrowth> growth_;   ///< of a node a kelvin [m/K]
 };
 
 }  // namespace shellback::thermal

@@ -19,7 +19,7 @@ constexpr double kPerMicro = 1e6;         ///< um per m
 constexpr double kLitreMinutes = 6e4;     ///< l/min per m3/s
 constexpr double kDegrees = 180.0 / kPi;  ///< deg per rad
 constexpr double kThousandfold = 1000.0;  ///< from here on kW and kN are used
-constexpr double kMegapascal = 1e-6;      ///< MPa per Pa
+constexpr double kMega = 1e-6;            ///< MPa per Pa, MN per N
 
 /// Part of the largest magnitude in its row (for a force: of both components) below which a value
 /// is round-off and shown as 0 [-].
@@ -103,10 +103,12 @@ std::string quantity_label(const std::string& name) {
 
 DisplayUnit display_unit(const std::string& name, const std::string& si_unit, double largest) {
   if (si_unit == "m") return {"um", kPerMicro, 0.0};
-  if (si_unit == "Pa") return {"MPa", kMegapascal, 0.0};
+  if (si_unit == "Pa") return {"MPa", kMega, 0.0};
   if (si_unit == "K" && name.starts_with("T_")) return {"degC", 1.0, kZeroCelsius};
   if (si_unit == "W" && largest >= kThousandfold) return {"kW", 1.0 / kThousandfold, 0.0};
   if (si_unit == "N" && largest >= kThousandfold) return {"kN", 1.0 / kThousandfold, 0.0};
+  if (si_unit == "N/m") return {"MN/m", kMega, 0.0};
+  if (si_unit == "N s/m") return {"kN s/m", 1.0 / kThousandfold, 0.0};
   if (si_unit == "m3/s") return {"l/min", kLitreMinutes, 0.0};
   if (si_unit == "rad" && name.starts_with("tilt")) return {"mrad", kThousandfold, 0.0};
   if (si_unit == "rad") return {"deg", kDegrees, 0.0};

@@ -65,12 +65,13 @@ FieldMap map_of(const bearing::Case& c, const CycleResult& cycle, FilmField whic
                 const Field& field, const std::string& title) {
   bearing::Result film;
   film.fields.grid = cycle.fields.grid;
+  film.fields.supplied.assign(cycle.fields.in_supply.begin(), cycle.fields.in_supply.end());
   for (const auto& q : cycle.quantities) film.quantities.push_back(q.quantity);
   (which == FilmField::gap                 ? film.fields.h
    : which == FilmField::shell_temperature ? film.fields.T_shell_surface
                                            : film.fields.p) = field;
   ColourScale scale = common_scale({&film}, which);
-  if (which == FilmField::gap) {  // the depth of supply features does not count
+  if (which == FilmField::gap) {  // beyond it there is no film to look at
     scale.high = std::min(scale.high, kWidestGap * 1e6 * c.bearing.radial_clearance);
   }
   return film_map(c, film, which, scale, title);

@@ -9,6 +9,7 @@
 #include "app/pictures/svg_cycle.hpp"
 #include "app/pictures/svg_film.hpp"
 #include "app/pictures/svg_orbit.hpp"
+#include "core/make_grid.hpp"
 
 namespace shellback::app {
 namespace {

@@ -126,8 +126,7 @@ class Panels {
   /// Film of three roughnesses, below which asperities carry load [um].
   [[nodiscard]] std::optional<double> film_mark(const Panel& panel) const {
     constexpr double kLambda = 3.0;
-    const double sigma =
-        std::hypot(subject_.surfaces.shell.roughness, subject_.surfaces.shaft.roughness);
+    const double sigma = bearing::combined_roughness(subject_.surfaces);
     const bool varied = std::any_of(  // then each point has its own
         sweep_.axes.begin(), sweep_.axes.end(),
         [](const auto& axis) { return axis.key.starts_with("surfaces"); });

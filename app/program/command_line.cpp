@@ -129,6 +129,11 @@ void add_chart(CLI::App& app, Request& request) {
   add_threads(*chart, request, "threads for the references; timed solves run one at a time");
 }
 
+void add_coefficients(CLI::App& command, Request& request) {
+  command.add_flag("--coefficients", request.coefficients,
+                   "also stiffness, damping and whirl threshold (as model.coefficients = true)");
+}
+
 void add_sweep(CLI::App& app, Request& request) {
   auto* sweep = app.add_subcommand("sweep", "solve a case over ranges of its keys");
   add_case_options(*sweep, request);
@@ -144,6 +149,7 @@ void add_sweep(CLI::App& app, Request& request) {
       "--bars", request.bars,
       "error bars of the physics left out beside those of the grid; takes several times as long");
   sweep->add_flag("--no-bars", request.no_bars, "no error bars: for speed alone")->excludes(bars);
+  add_coefficients(*sweep, request);
   add_state(*sweep, request, "a sweep over load cycles");
   sweep->add_option("-o", request.output, "write all results over the grid (HDF5)")
       ->type_name("FILE.h5");
@@ -275,9 +281,7 @@ void add_study(CLI::App& app, Request& request) {
       ->check(CLI::Range(1, kMostThreads));
 }
 
-void add_coefficient_options(CLI::App& command, Request& request) {
-  command.add_flag("--coefficients", request.coefficients,
-                   "also stiffness, damping and whirl threshold (as model.coefficients = true)");
+void add_coefficients_table(CLI::App& command, Request& request) {
   command
       .add_option("--coefficients-table", request.coefficients_table,
                   "write them as a row for rotordynamics programs: frequency [rad/s], kxx to cyy "
@@ -303,7 +307,8 @@ void add_run(CLI::App& app, Request& request) {
   add_solve_options(*run, request);
   run->add_option("--tier", request.tier, kTierWords);
   run->add_option("-o", request.output, "write all fields (HDF5)")->type_name("FILE.h5");
-  add_coefficient_options(*run, request);
+  add_coefficients(*run, request);
+  add_coefficients_table(*run, request);
   run->add_flag("--transient", request.transient,
                 "warm up in time: shell, housing and shaft from one temperature to the steady "
                 "state (tiers thd and tehd)");

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/constants.hpp"
-#include "core/round_off.hpp"
 
 namespace shellback::bearing {
 namespace {

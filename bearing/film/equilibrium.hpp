@@ -30,6 +30,7 @@
 #include "core/harmonics.hpp"
 #include "fluid/resultants.hpp"
 #include "fluid/reynolds.hpp"
+#include "rheology/viscosity.hpp"
 
 namespace shellback::bearing {
 
@@ -149,9 +150,7 @@ struct Residuals {
 inline constexpr double kNoGap = 1e-100;  ///< [m]
 [[nodiscard]] inline bool no_gap_shears(const BearingModel& model, double speed,
                                         const FilmEquilibrium& s) {
-  const bool sheared =
-      speed != 0.0 && !std::holds_alternative<rheology::NoShearThinning>(model.oil.shear);
-  return sheared &&
+  return speed != 0.0 && rheology::thins(model.oil) &&
          std::any_of(s.shear_gap.begin(), s.shear_gap.end(), [](double h) { return h <= kNoGap; });
 }
 

@@ -6,6 +6,7 @@
 #include "bearing/solids.hpp"
 #include "core/largest.hpp"
 #include "core/round_off.hpp"
+#include "rheology/viscosity.hpp"
 
 namespace shellback::bearing {
 
@@ -26,7 +27,7 @@ LinearFilm::LinearFilm(const BearingModel& model, const OperatingPoint& point,
       tolerance_(tolerance),
       film_(model, point.scene, s, 0, factor_, cost_),
       good_(film_.good()) {
-  if (std::holds_alternative<rheology::NoShearThinning>(model.oil.shear)) return;
+  if (!rheology::thins(model.oil)) return;
   FilmEquilibrium sharp = s;
   good_ = good_ && evaluate(model, point, thermal_deformation, kRoundOff, sharp);
   residual_ = fluid::film_residual(point.scene, sharp.flow);

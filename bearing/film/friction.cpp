@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "rheology/viscosity.hpp"
+
 namespace shellback::bearing {
 
 namespace {
@@ -11,7 +13,7 @@ namespace {
 Field sheared_fluidity(const BearingModel& model, const OperatingPoint& point,
                        const FilmEquilibrium& s, const Field& h) {
   Field g0 = s.columns.g0;
-  if (!thins(model.oil)) return g0;
+  if (!rheology::thins(model.oil)) return g0;
   const auto n = static_cast<std::size_t>(model.gl.n);
   std::vector<int> cells;
   for (std::size_t k = 0; k < h.size(); ++k) {

@@ -6,10 +6,8 @@
 #include <limits>
 
 #include "bearing/film/bordered_film.hpp"
-#include "bearing/film/closed_gap.hpp"
 #include "bearing/film/film_verdicts.hpp"
 #include "bearing/solids.hpp"
-#include "core/largest.hpp"
 #include "core/round_off.hpp"
 #include "fluid/empty_rings.hpp"
 #include "fluid/fischer_burmeister.hpp"

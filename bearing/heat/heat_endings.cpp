@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/largest.hpp"
 #include "fluid/film_numbers.hpp"
 #include "rheology/laws_hold.hpp"
 

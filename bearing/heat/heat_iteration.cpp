@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "bearing/film/closed_gap.hpp"
@@ -11,7 +10,6 @@
 #include "bearing/film/solve_equilibrium.hpp"
 #include "bearing/heat/heat_endings.hpp"
 #include "bearing/heat/wall_balance.hpp"
-#include "core/constants.hpp"
 #include "core/largest.hpp"
 #include "rheology/viscosity.hpp"
 

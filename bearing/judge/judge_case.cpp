@@ -11,7 +11,6 @@
 #include "bearing/judge/judge_parts.hpp"
 #include "bearing/shown.hpp"
 #include "core/contract.hpp"
-#include "core/ring_matrix.hpp"
 #include "solid/boundary_friction.hpp"
 
 namespace shellback::bearing {
@@ -92,7 +91,7 @@ void judge_tilt(const Case& c, Findings& to) {
 void judge_flow_factors(const Case& c, Findings& to) {
   const Surfaces& s = c.surfaces;
   if (!s.flow_factors) return;
-  const double sigma = std::hypot(s.shell.roughness, s.shaft.roughness);
+  const double sigma = combined_roughness(s);
   const char* const key = "surfaces.flow_factors";
   if (const auto fault = fluid::fault_of(*s.flow_factors); !fault.problem.empty()) {
     to.refuse(key, fault.problem, "write the table anew with shellback surface");
@@ -177,7 +176,7 @@ void judge_summits(const solid::RoughSurface& s, const std::string& key, Finding
 
 void judge_surfaces(const Case& c, Findings& to) {
   const Surfaces& s = c.surfaces;
-  const double sigma = std::hypot(s.shell.roughness, s.shaft.roughness);
+  const double sigma = combined_roughness(s);
   const auto judge_roughness = [&](const char* key, double combined) {
     const double part = combined / c.bearing.radial_clearance;
     compare(to, key, part, kBearingLimits.roughness,

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <utility>
 
 #include "bearing/case_limits.hpp"
@@ -23,8 +22,7 @@ void judge_switches(const Case& c, Findings& to) {
     to.refuse("model.pressure_dependence",
               "the pressure dependence is switched on, but the oil has no viscosity.pressure law");
   }
-  const bool newtonian = std::holds_alternative<rheology::NoShearThinning>(c.oil.shear);
-  if (on.shear_thinning.value_or(false) && newtonian) {
+  if (on.shear_thinning.value_or(false) && !rheology::thins(c.oil)) {
     to.refuse("model.shear_thinning",
               "shear thinning is switched on, but the oil has no viscosity.shear law");
   }

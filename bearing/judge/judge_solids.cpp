@@ -186,6 +186,13 @@ void judge_shell(const Shell& shell, double R, Findings& to) {
   }
 }
 
+/// A length of at most `most` radii R [m].
+void refuse_longer(const char* key, double length, double most, double R, Findings& to) {
+  if (length > most * R) {
+    to.refuse(key, fmt::format("it is more than {:.0f} diameters", 0.5 * most), "check the unit");
+  }
+}
+
 /// The supports stand beside the bearing, and the shaft is a shaft.
 void judge_span(const Case& c, bool elastic, Findings& to) {
   if (!c.shaft->span) return;
@@ -200,16 +207,12 @@ void judge_span(const Case& c, bool elastic, Findings& to) {
                           shown(span, "mm"), shown(c.bearing.width, "mm")),
               "give the distance between the middles of the supports on either side");
   }
-  if (span > kBearingLimits.overhang_most * c.bearing.radius) {
-    to.refuse("shaft.span", "it is more than 50 diameters", "check the unit");
-  }
+  refuse_longer("shaft.span", span, kBearingLimits.overhang_most, c.bearing.radius, to);
 }
 
 /// A length of shaft beyond the bearing, at most `most` radii [m].
 void judge_overhang(const char* key, double length, double most, double R, Findings& to) {
-  if (length > most * R) {
-    to.refuse(key, fmt::format("it is more than {:.0f} diameters", 0.5 * most), "check the unit");
-  }
+  refuse_longer(key, length, most, R, to);
   if (length > 0.0 && length < kBearingLimits.overhang_least * R) {
     to.refuse(key, "it is less than a ten-thousandth of the radius", "give 0, or check the unit");
   }

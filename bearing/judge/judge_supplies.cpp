@@ -13,19 +13,6 @@
 namespace shellback::bearing {
 namespace {
 
-bool is_round(const Supply& s) {
-  return s.kind == SupplyKind::hole || s.kind == SupplyKind::drilling;
-}
-
-/// A supply by the rectangle that encloses it.
-Supply enclosed(Supply s, double radius) {
-  if (is_round(s)) {
-    s.arc = s.diameter / radius;
-    s.length = s.diameter;
-  }
-  return s;
-}
-
 std::string key_of_length(const Supply& s, const std::string& path) {
   switch (s.kind) {
     case SupplyKind::hole:

@@ -12,7 +12,6 @@
 #include "bearing/possible_methods.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
-#include "core/round_off.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -27,11 +26,6 @@ bool temperature_known(const Case& c) {
   const bool prescribed = c.shell && std::holds_alternative<PrescribedBack>(c.shell->back);
   return c.oil_temperature || c.measured.shell_back_temperature || prescribed ||
          std::holds_alternative<rheology::ConstantViscosity>(c.oil.temperature);
-}
-
-bool heat_leaves(const Shell& shell) {
-  const auto* back = std::get_if<ConvectiveBack>(&shell.back);
-  return back == nullptr || back->heat_transfer > 0.0;
 }
 
 /// A single event whose first row has a load and no speed.
@@ -92,23 +86,19 @@ constexpr double kLong = 0.5;  ///< supplies that fill the film anew wherever th
 /// (their load goes with the third power): less than the estimate's bars [-].
 constexpr double kOffMiddle = 0.05;
 
-/// Half of the angle that a supply takes up [rad].
-double half_arc(const Case& c, const Supply& s) {
-  return 0.5 * (s.kind == SupplyKind::hole ? s.diameter / c.bearing.radius : s.arc);
-}
-
 /// Supplies in the film that carries the load, or none before it.
 Lack lack_of_feed(const Case& c, double omega, double load_angle, double far) {
   const std::string cure = "take tier isothermal, lumped, thd, tehd or auto";
   const double turn = omega < 0.0 ? -1.0 : 1.0;
   bool fed = false;
-  for (const Supply& s : c.supplies) {
+  for (const Supply& given : c.supplies) {
+    const Supply s = enclosed(given, c.bearing.radius);
     if (s.kind == SupplyKind::drilling || goes_all_round(s)) {
       fed = true;
       continue;
     }
     const double behind = turn * std::remainder(s.angle - load_angle, 2.0 * kPi);
-    const double away = std::abs(behind) - half_arc(c, s);
+    const double away = std::abs(behind) - 0.5 * s.arc;
     if (away < far) {
       return lack(
           "model.tier",
@@ -117,9 +107,8 @@ Lack lack_of_feed(const Case& c, double omega, double load_angle, double far) {
                       std::max(0.0, away) * 180.0 / kPi),
           cure);
     }
-    const double length = s.kind == SupplyKind::hole ? s.diameter : s.length;
     const bool before = behind < 0.0 || behind > kFarBehindLoad;
-    fed = fed || before || length >= kLong * c.bearing.width;
+    fed = fed || before || s.length >= kLong * c.bearing.width;
   }
   if (fed) return std::nullopt;
   return lack("model.tier",

@@ -5,7 +5,6 @@
 
 #include "bearing/judge/judge_parts.hpp"
 #include "bearing/judge/value_check.hpp"
-#include "bearing/over_time/running_in.hpp"
 #include "bearing/shown.hpp"
 #include "core/round_off.hpp"
 
@@ -55,7 +54,7 @@ void judge_bearing_values(const Bearing& b, Findings& to) {
 /// Members that another kind has are 0, or those of the rectangle about a round mouth: they would
 /// be of no effect.
 void judge_members(const Supply& s, double radius, const ValueCheck& supply) {
-  const bool round = s.kind == SupplyKind::hole || s.kind == SupplyKind::drilling;
+  const bool round = is_round(s);
   const auto fits = [&](double extent) {
     return extent == 0.0 || std::abs(extent - s.diameter) <= kRoundOff * s.diameter;
   };

@@ -1,6 +1,5 @@
 #include "bearing/over_time/compare_cycles.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "bearing/friction_split.hpp"

@@ -229,6 +229,7 @@ CycleResult CyclePasses::result() const {
     if (begun_cold_) r.assumptions.push_back(note::Plain::event_without_heat);
     if (tier_ == Tier::lumped) r.assumptions.push_back(note::Plain::event_in_lumps);
   }
+  if (told_.edges_took_oil_in()) add_temperature_of_edge_oil(film_.model(), tier_, r.assumptions);
   if (passes_over_supply(c_, tier_)) {
     r.assumptions.push_back(note::Plain::supply_temperature_unused);
   }

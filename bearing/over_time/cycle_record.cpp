@@ -8,9 +8,7 @@
 #include "bearing/film/pockets.hpp"
 #include "bearing/heat/film_heat.hpp"
 #include "bearing/over_time/tape_members.hpp"
-#include "bearing/steady/solve.hpp"
 #include "bearing/told_ranges.hpp"
-#include "core/constants.hpp"
 #include "core/largest.hpp"
 #include "core/round_off.hpp"
 
@@ -240,6 +238,7 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
   fed_.resize(step.patch.size(), 0.0);
   for (std::size_t k = 0; k < fed_.size(); ++k) fed_[k] += step.patch[k];
   side_ += step.side;
+  side_inflow_ += step.side_inflow;
   line_ += step.line;
   vessels_ended_ = total(step.after.vessels);
   if (film_->vessels().any_empty(film_->point().scene)) dry_ += dt;
@@ -257,12 +256,12 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
 
 void CycleRecord::members(Tape& tape) {
   auto& [film, course, length, instants, frames, next_frame, oil_begun, oil_ended, supply, side,
-         fed, line, vessels_begun, vessels_ended, dry, impulse, v_begun, v_ended, pump_now, pump,
-         off_balance, off_content, stored_begun, stored_ended, work, layer_loss, layer_depth, p_max,
-         p_asperity_max, h_min, friction, power_now, heat, T_film, T_shell, T_shell_max, wear,
-         bent_edges, fed_fastest, sheared, shear_rate, p_slope] = *this;
-  tape(instants, frames, next_frame, oil_begun, oil_ended, supply, side, fed, impulse, v_begun,
-       v_ended, line, vessels_begun, vessels_ended, dry, stored_begun, stored_ended, work,
+         side_inflow, fed, line, vessels_begun, vessels_ended, dry, impulse, v_begun, v_ended,
+         pump_now, pump, off_balance, off_content, stored_begun, stored_ended, work, layer_loss,
+         layer_depth, p_max, p_asperity_max, h_min, friction, power_now, heat, T_film, T_shell,
+         T_shell_max, wear, bent_edges, fed_fastest, sheared, shear_rate, p_slope] = *this;
+  tape(instants, frames, next_frame, oil_begun, oil_ended, supply, side, side_inflow, fed, impulse,
+       v_begun, v_ended, line, vessels_begun, vessels_ended, dry, stored_begun, stored_ended, work,
        layer_loss, layer_depth);
   tape(pump_now, pump, off_balance, off_content, p_max, p_asperity_max, h_min, friction, power_now,
        heat, T_film, T_shell, T_shell_max, wear, bent_edges, fed_fastest, sheared, shear_rate,

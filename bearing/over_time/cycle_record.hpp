@@ -46,6 +46,7 @@ class CycleRecord {
   [[nodiscard]] double drift() const;
   /// Oil that the film has gained over the cycle, over what it held as it began [-].
   [[nodiscard]] double oil_gathered() const { return oil_ended_ / oil_begun_ - 1.0; }
+  [[nodiscard]] bool edges_took_oil_in() const { return side_inflow_ > 0.0; }
   /// Mean over the cycle, on the solved grid; of a case with [running_in].
   [[nodiscard]] WearLoad wear_load() const { return wear_.mean(); }
   /// Largest contact pressure [Pa] and smallest gap [m] of each place, on the solved grid.
@@ -103,11 +104,11 @@ class CycleRecord {
   double length_;
   std::vector<CycleInstant> instants_;
   std::vector<CycleFrame> frames_;
-  double next_frame_ = 0.0;                         ///< [s]
-  double oil_begun_ = 0.0;                          ///< [kg]
-  double oil_ended_ = 0.0;                          ///< [kg]
-  double supply_ = 0.0, side_ = 0.0;                ///< over the cycle [kg]
-  std::vector<double> fed_;                         ///< of `supply_`, out of every one [kg]
+  double next_frame_ = 0.0;                               ///< [s]
+  double oil_begun_ = 0.0;                                ///< [kg]
+  double oil_ended_ = 0.0;                                ///< [kg]
+  double supply_ = 0.0, side_ = 0.0, side_inflow_ = 0.0;  ///< over the cycle [kg]
+  std::vector<double> fed_;                               ///< of `supply_`, out of every one [kg]
   double line_ = 0.0;                               ///< come from the lines of the supplies [kg]
   double vessels_begun_ = 0.0;                      ///< oil in them beyond that at p_cav [kg]
   double vessels_ended_ = 0.0;                      ///< [kg]

@@ -7,7 +7,6 @@
 #include "bearing/film/equilibrium.hpp"
 #include "bearing/heat/heat_endings.hpp"
 #include "bearing/over_time/tape_members.hpp"
-#include "bearing/steady/solve.hpp"
 #include "core/fixed_point.hpp"
 #include "core/largest.hpp"
 #include "rheology/viscosity.hpp"

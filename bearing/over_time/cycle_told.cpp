@@ -9,7 +9,6 @@
 #include "bearing/heat/film_heat.hpp"
 #include "bearing/over_time/cycle_instants.hpp"
 #include "bearing/over_time/cycle_record.hpp"
-#include "bearing/steady/solve.hpp"
 #include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"

@@ -346,6 +346,7 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
     add(f, stages[i].flows.patch, step.patch);
     add(-f, stages[i].flows.pocket, step.patch);
     step.side += f * stages[i].flows.side;
+    step.side_inflow += f * stages[i].flows.side_inflow;
     step.line += f * vessels_.from_lines(stages[i].flows);
     add(f, vessels_.slopes(stages[i].flows), step.after.vessels);
     step.layer_loss += f * stages[i].layer.loss;

@@ -60,7 +60,8 @@ struct FilmStep {
   double error = 0.0;   ///< estimated, of the loaded film over its height (film_motion.hpp) [-]
   double supply = 0.0;  ///< oil fed in over the step, into pockets and film [kg]
   std::vector<double> patch;  ///< out of every supply into the film alone [kg]
-  double side = 0.0;          ///< and lost at the sides [kg]
+  double side = 0.0;          ///< and lost at the sides, net [kg]
+  double side_inflow = 0.0;   ///< come in there [kg]
   double layer_loss = 0.0;    ///< turned into heat in an elasto-plastic layer, solved part [J]
   double line = 0.0;          ///< come from the supplies' lines: the same and into vessels [kg]
   std::array<double, 2> impulse{};  ///< of the film on the journal [N s]
@@ -89,8 +90,8 @@ inline constexpr double kFilmOfFronts = 0.1;
 class FilmSteps {
  public:
   /// `mass` of the journal [kg], 0: none. `options`: of a stage's film. The film from
-  /// which it takes its fronts of oil is solved to kFilmOfFronts, else to the error of a step:
-  /// these over kFilmPart and kShapePart.
+  /// which it takes its fronts of oil is solved to kFilmOfFronts, else to the error of a step,
+  /// its shape and viscosity to those over kShapePart.
   FilmSteps(const BearingModel& model, const LoadCourse& course, double mass,
             const EquilibriumOptions& options);
 

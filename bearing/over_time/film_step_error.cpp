@@ -1,6 +1,5 @@
 // What a step in time may err, told from its embedded method of lower order: of the loaded film, of
 // the vessels' oil, of the viscosity that heat has surprised it with.
-#include <algorithm>
 #include <cmath>
 
 #include "bearing/film/equilibrium.hpp"

@@ -1,5 +1,4 @@
 /// Heat of one step in time: temperatures of film and skin, growth of the walls.
-#include <algorithm>
 
 #include "bearing/film/pockets.hpp"
 #include "bearing/over_time/film_step.hpp"

@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "bearing/heat_state.hpp"
-#include "bearing/over_time/skin_growth.hpp"
 #include "bearing/temperature_limits.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
@@ -30,12 +29,16 @@ std::size_t layers_of_skin(const Case& c, const Solids::Layers& all) {
   return cooled ? all.thickness.size() : all.last_of_shell + 1;
 }
 
+thermal::SkinLayer skin_layer(const solid::Material& m, double thickness) {
+  return {thickness, m.conductivity, m.density * m.heat_capacity};
+}
+
 thermal::WallSkin shell_skin(const Case& c, double period, double shortest) {
   const Solids::Layers layers = wall_layers(c);
   const auto* cooled = std::get_if<ConvectiveBack>(&c.shell->back);
   std::vector<thermal::SkinLayer> out;
   for (std::size_t k = 0; k < layers_of_skin(c, layers); ++k) {
-    out.push_back(skin_of_shell(layers.material[k], layers.thickness[k], layers.material.back()));
+    out.push_back(skin_layer(layers.material[k], layers.thickness[k]));
   }
   return {out, period, shortest, cooled ? cooled->heat_transfer : INFINITY, 1.0 / c.bearing.radius};
 }
@@ -193,10 +196,14 @@ void HeatFlows::add(double f, const HeatFlows& other) {
 
 HeatSteps::HeatSteps(const BearingModel& model, double period, double shortest)
     : skin_(shell_skin(model.input, reach_of(model, period), shortest)) {
+  const bool grows = model.physics.thermal_deformation;
+  if (grows) opening_ = model.solids->opening_by_skins({skin_.depths(), skin_.nodes()});
   if (!is_event(model)) return;
   const double R = model.input.bearing.radius;
-  const thermal::SkinLayer shaft = skin_of_shaft(model.input.shaft->material, R);
+  const thermal::SkinLayer shaft = skin_layer(model.input.shaft->material, R);
   shaft_.emplace(std::vector{shaft}, reach_of(model, period), shortest, 0.0, -1.0 / R);
+  if (!grows) return;
+  opening_by_shaft_ = model.solids->opening_by_shaft_skins({shaft_->depths(), shaft_->nodes()});
 }
 
 HeatInTime HeatSteps::begin(const BearingModel& model, std::vector<double> T,
@@ -309,15 +316,15 @@ HeatStage HeatSteps::stage(const BearingModel& model, const OperatingPoint& poin
 
 Field HeatSteps::swelling(const BearingModel& model, const std::vector<double>& skin) const {
   if (skin.empty() || walls.thermal_deformation.empty()) return {};
-  const auto nodes = static_cast<std::size_t>(skin_.nodes());
-  const std::size_t cells = walls.thermal_deformation.size(), rings = walls.shaft.size();
-  std::vector<thermal::SkinGrowth> shell(cells);
-  for (std::size_t c = 0; c < cells; ++c) shell[c] = skin_.growth(&skin[c * nodes]);
-  Field narrower = narrowed_by_shell(model, shell);
+  const std::size_t cells = walls.thermal_deformation.size();
+  const auto of_shaft = skin.begin() + static_cast<std::ptrdiff_t>(cells * skin_.nodes());
+  Field narrower = model.solids->widening(opening_, Field(skin.begin(), of_shaft));
+  for (double& x : narrower) x = -x;
   if (!shaft_) return narrower;
+  const Eigen::Map<const Eigen::VectorXd> T(&*of_shaft, opening_by_shaft_.cols());
+  const Eigen::VectorXd opens = opening_by_shaft_ * T;
   for (std::size_t c = 0; c < cells; ++c) {
-    const std::size_t at = cells * nodes + c % rings * shaft_->nodes();
-    narrower[c] += narrowed_by_shaft(shaft_->growth(&skin[at]));
+    narrower[c] -= opens[static_cast<Eigen::Index>(c) % opens.size()];
   }
   return narrower;
 }

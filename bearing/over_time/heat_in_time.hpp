@@ -9,15 +9,15 @@
 /// with the flows, the oil and the friction of that stage, so that heat is conserved to the round-
 /// off of the sweeps. Shell and film are solved together, column by column.
 /// The walls' bodies answer far more slowly than a cycle lasts: they hold their mean over it
-/// (cycle_walls.hpp), and the skin swings about it and grows (skin_growth.hpp). The
+/// (cycle_walls.hpp), and the skin swings about it and grows (bearing/skin_nodes.hpp). The
 /// shaft turns: its surface is at its mean (thermal/shaft_conduction.hpp). Over a single event
 /// there is no mean to come to: the shaft has a skin, too, one for each ring of cells, which meets
 /// the mean of the heat around,
 ///   T_j = free_j + Z q_j,   q_j = sum_i q_ij A_ij / (2 pi R dz_j)                     (2)
-/// found with the film's temperatures, sweep by sweep. It has as much steel per surface as a
-/// cylinder: half the radius, beyond which nothing flows. The film's viscosity in
-/// a stage is that of temperatures carried on in a straight line from the stages before, not of the
-/// last ones. Source: methods 3.5, 4; textbook.
+/// found with the film's temperatures, sweep by sweep. It reaches
+/// to the axis and narrows on the way as a cylinder does (thermal/wall_skin.hpp). The film's
+/// viscosity in a stage is that of temperatures carried on in a straight line from the stages
+/// before, not of the last ones. Source: methods 3.5, 4; textbook.
 #include <optional>
 
 #include "bearing/heat/film_heat.hpp"
@@ -129,6 +129,8 @@ class HeatSteps {
 
   thermal::WallSkin skin_;
   std::optional<thermal::WallSkin> shaft_;  ///< over an event
+  HarmonicOperator opening_;                ///< of the gap by the skins; empty: none [m/K]
+  Eigen::MatrixXd opening_by_shaft_;        ///< by those of the shaft [m/K]
 };
 
 /// The film's energy equation as it stands, as if its flow would stay: oil that cells gain or lose

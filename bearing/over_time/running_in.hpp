@@ -3,8 +3,8 @@
 ///
 ///   dw/dt = r = (C/H) L,  L = <|U| max(0, p_a - p_lim)>   p_lim = 0: seed 000 Eq. 9 (Archard)  (1)
 ///
-/// w: depth of wear of the shell, opening the gap [m]; C: wear coefficient [-]; H: hardness of the
-/// softer surface [Pa]; L: wear load (wear_load.hpp) of a film under a load that stands still, or
+/// w: depth of wear of the shell, opening the gap [m]; C: wear coefficient [-]; H: hardness of
+/// the shell [Pa]; L: wear load (wear_load.hpp) of a film under a load that stands still, or
 /// mean over the periodic state of a load cycle [W/m2]; p_a: contact pressure [Pa]; p_lim: that at
 /// which wear ceases, if one is given (our own: Archard knows none) [Pa]. The film, or the cycle,
 /// is solved again for every shape. Wear takes pressure away from where it is: over a step of

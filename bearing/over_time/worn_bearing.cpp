@@ -1,9 +1,7 @@
 #include "bearing/over_time/worn_bearing.hpp"
 
-#include <algorithm>
 #include <utility>
 
-#include "bearing/heat/film_heat.hpp"
 #include "bearing/over_time/cycle_search.hpp"
 #include "bearing/over_time/solution_members.hpp"
 #include "core/largest.hpp"

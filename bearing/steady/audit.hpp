@@ -4,7 +4,8 @@
 ///   mass    |supply flow - side flow| / the larger of them, at least 1e-7 of the largest flow
 ///           through a cell's face
 ///   energy  |friction power + pump power - heat by oil - heat to shell - heat to shaft|
-///           / friction power; heat to shell and shaft as the solids took it up
+///           / friction power, at least 1e-7 of the heat that oil carries; heat to shell and shaft
+///           as the solids took it up
 ///   load    |F + W| / |W|; not applicable with a given position
 ///   moment  |T_journal - T_shell - T_pressure| / |T_journal|, viscous torques and those of
 ///   asperities; T_pressure =

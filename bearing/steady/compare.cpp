@@ -5,7 +5,6 @@
 
 #include "bearing/film/solve_equilibrium.hpp"
 #include "bearing/friction_split.hpp"
-#include "bearing/steady/nested.hpp"
 
 namespace shellback::bearing {
 namespace {

@@ -41,7 +41,7 @@ Probe probe(const Solution& s) {
 /// Combined, of all the surface or, if that is more, of the summits alone [m].
 double largest_roughness(const Surfaces& of) {
   return std::max(
-      std::hypot(of.shell.roughness, of.shaft.roughness),
+      combined_roughness(of),
       of.contact ? std::hypot(of.shell.summit_roughness, of.shaft.summit_roughness) : 0.0);
 }
 
@@ -54,7 +54,7 @@ double temperature_rise(const Solution& s, const Friction& f, const Probe& p) {
 
 }  // namespace
 
-std::vector<Effect> effects_of(const Solution& s, const Friction& f) {
+std::vector<Effect> effects_of(const Solution& s, const Friction& f, Tier tier) {
   const BearingModel& m = s.model;
   const Physics& has = m.physics;
   const Probe p = probe(s);
@@ -64,7 +64,8 @@ std::vector<Effect> effects_of(const Solution& s, const Friction& f) {
   const double sigma = largest_roughness(m.input.surfaces);
   const note::NotLaminar film = reynolds_number(m, U, p.T);
   return {
-      {EffectKind::heating, has.film_energy, p.beta * temperature_rise(s, f, p)},
+      {EffectKind::heating, has.film_energy || tier == Tier::lumped,
+       p.beta * temperature_rise(s, f, p)},
       {EffectKind::temperature_across_film, has.film_energy, p.beta * p.eta * U * U / k},
       {EffectKind::elastic_deformation, has.elastic,
        has.elastic ? largest(s.film.elastic) / p.h_min : NAN},

@@ -4,6 +4,7 @@
 
 namespace shellback::bearing {
 
-[[nodiscard]] std::vector<Effect> effects_of(const Solution& s, const Friction& friction);
+[[nodiscard]] std::vector<Effect> effects_of(const Solution& s, const Friction& friction,
+                                             Tier tier);
 
 }  // namespace shellback::bearing

@@ -79,8 +79,7 @@ Verdict LumpedBalance::film_at(double T) {
     s_.film.position = start.position;
     s_.film.elastic = start.elastic;
   }
-  EquilibriumOptions options;  // the search for where films end is made once
-  return solve_equilibrium({s_.model, s_.point, {}, options, control_.stop}, s_.film, s_.cost);
+  return solve_equilibrium({s_.model, s_.point, {}, {}, control_.stop}, s_.film, s_.cost);
 }
 
 std::optional<double> LumpedBalance::residual(double T) {

@@ -1,5 +1,5 @@
 #pragma once
-/// One case, one tier, one result: what `run` calls.
+/// One steady case, one tier, one result.
 #include "bearing/control.hpp"
 #include "bearing/film/solution.hpp"
 #include "bearing/heat/film_heat.hpp"

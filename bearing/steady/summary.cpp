@@ -346,11 +346,9 @@ Result summarize(const Solution& s, Tier tier) {
   r.quantities = quantities_of(s, tier);
   r.audit = audit_of(s, f);
   r.supplies = supplies_of(s);
-  r.effects = effects_of(s, f);
-  const bool warms = m.physics.film_energy || tier == Tier::lumped;
-  if (warms && fluid::oil_flows(s.point.scene, s.film.flow).side_inflow > 0.0) {
-    r.assumptions.push_back(m.physics.film_energy ? note::Plain::edge_oil_as_supply
-                                                  : note::Plain::edge_oil_as_film);
+  r.effects = effects_of(s, f, tier);
+  if (fluid::oil_flows(s.point.scene, s.film.flow).side_inflow > 0.0) {
+    add_temperature_of_edge_oil(m, tier, r.assumptions);
   }
   add_layer_of_constant_thickness(m, r.assumptions);
   add_supplies_that_take_back(s, r.assumptions);

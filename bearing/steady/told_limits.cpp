@@ -19,8 +19,8 @@ void add_range_warnings(const Solution& s, std::vector<Note>& warnings) {
       *low < coldest_around(s.model.input, *s.model.solids) - kUndershoot) {
     warnings.push_back(note::ColdSpot{*low});
   }
-  FilmReach reach{*low, *high, largest(s.film.film.p),
-                  fluid::nominal_depth(s.film.gap, s.model.supply), s.film.least};
+  const Field depth = fluid::nominal_depth(s.film.gap, s.model.supply);
+  FilmReach reach{*low, *high, largest(s.film.film.p), depth, s.film.least};
   reach.shear_rate = largest_shear_rate(s.film.film, s.film.shear_gap, s.point.scene.speed);
   reach.p_slope = largest_slope(s.model.domain.grid, s.film.film.p);
   if (s.model.physics.film_energy) reach.T_shell = largest(s.heat.T_shell);

@@ -10,6 +10,7 @@
 #include "app/write_html.hpp"
 #include "app/write_table.hpp"
 #include "core/contract.hpp"
+#include "core/make_grid.hpp"
 #include "markup.hpp"
 #include "synthetic.hpp"
 #include "tests/contains.hpp"

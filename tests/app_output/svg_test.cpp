@@ -11,6 +11,7 @@
 #include "app/pictures/svg_lines.hpp"
 #include "app/pictures/svg_waterfall.hpp"
 #include "core/constants.hpp"
+#include "core/make_grid.hpp"
 #include "synthetic.hpp"
 
 using namespace shellback;

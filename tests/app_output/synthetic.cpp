@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/constants.hpp"
+#include "core/make_grid.hpp"
 
 namespace shellback::test {
 namespace {

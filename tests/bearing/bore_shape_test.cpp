@@ -9,6 +9,7 @@
 #include "bearing/steady/audit.hpp"
 #include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
+#include "core/make_grid.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 #include "tests/observed_order.hpp"
 

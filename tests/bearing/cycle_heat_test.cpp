@@ -258,6 +258,27 @@ TEST_CASE("LumpedCyclesMeetTheHeatBalanceOfTheirMeans", "[cycle_heat]") {
   CHECK(value(r, "T_film_mean") == Approx(steady.values().T_film_mean).margin(0.02));
 }
 
+TEST_CASE("CyclesSayHowWarmOilIsThatEdgesDrawIn", "[cycle_heat]") {
+  // A film that cavitates half a bar below ambient draws oil in at the edges beside its void.
+  const auto told = [](double p_cav, Tier tier) {
+    Case c = warm_cycle_case(1.5e3, 0.3);
+    c.model.grid = {32, 7};
+    c.model.cavitation_pressure = p_cav;
+    c.cycle->step = 10.0 * kDegree / c.cycle->crank_speed;
+    const CycleResult r = converged(c, tier);
+    for (const Note& n : r.assumptions) {
+      const auto* plain = std::get_if<note::Plain>(&n);
+      if (plain && *plain == note::Plain::edge_oil_as_supply) return Tier::thd;
+      if (plain && *plain == note::Plain::edge_oil_as_film) return Tier::lumped;
+    }
+    return Tier::isothermal;  // nothing is told
+  };
+  for (const Tier tier : {Tier::isothermal, Tier::lumped, Tier::thd}) {
+    CHECK(told(-5e4, tier) == tier);
+    CHECK(told(0.0, tier) == Tier::isothermal);
+  }
+}
+
 TEST_CASE("WallsAndOilComeToRestTogetherWhereverTheyBegin", "[cycle_heat]") {
   // A light load that turns with the journal, fed by a short line: the film gathers its oil over
   // more cycles than its walls need. Judge: the same search from a colder bearing.

@@ -3,6 +3,7 @@
 
 #include "bearing/heat/heat_endings.hpp"
 #include "bearing/solids.hpp"
+#include "core/make_grid.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;

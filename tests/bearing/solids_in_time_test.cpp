@@ -5,6 +5,7 @@
 
 #include "bearing/solids.hpp"
 #include "core/contract.hpp"
+#include "core/make_grid.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;

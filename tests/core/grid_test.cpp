@@ -7,6 +7,7 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/make_grid.hpp"
 
 using namespace shellback;
 

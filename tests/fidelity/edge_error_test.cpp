@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/make_grid.hpp"
+
 using namespace shellback;
 using namespace shellback::fidelity;
 

@@ -5,6 +5,7 @@
 
 #include "core/constants.hpp"
 #include "core/largest.hpp"
+#include "core/make_grid.hpp"
 #include "fluid/resultants.hpp"
 #include "fluid/reynolds.hpp"
 

@@ -1,6 +1,7 @@
 // Geometry of the gap against its definition.
 #include <catch2/catch.hpp>
 
+#include "core/make_grid.hpp"
 #include "tests/fluid/film_scenes.hpp"
 
 using namespace shellback;

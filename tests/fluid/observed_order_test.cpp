@@ -7,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "core/make_grid.hpp"
 #include "tests/fluid/film_scenes.hpp"
 
 using namespace shellback;

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/contract.hpp"
+#include "core/make_grid.hpp"
 #include "tests/fluid/film_scenes.hpp"
 
 using namespace shellback;

@@ -220,6 +220,33 @@ TEST_CASE("ASweepPrintsATableAndWritesItsFiles") {
   }
 }
 
+TEST_CASE("ASweepTellsStiffnessAndDampingOfItsPoints") {
+  // A rigid film of constant viscosity at a given eccentricity, fed at ambient pressure: its force
+  // goes with the speed, so K does and C does not.
+  const std::vector<std::string> words{"sweep",          case_path("raimondi-boyd").string(),
+                                       "--coefficients", "--no-bars",
+                                       "--set",          kCoarse,
+                                       "--vary",         "operation.speed=1000 rpm,2000 rpm"};
+  const Ended told = run_words(words);
+  INFO(told.err);
+  CHECK(told.code == kDone);
+  check_parts(told.out, {"Kxx", "Cyy", "MN/m", "kN s/m", "critical mass"});
+  std::vector<std::string> as_json = words;
+  as_json.insert(as_json.end(), {"--json", "-"});
+  const auto points = nlohmann::json::parse(run_words(as_json).out)["points"];
+  const auto ratio = [&](const char* name) {
+    const auto at = [&](int k) { return points[k]["quantities"][name]["value"].get<double>(); };
+    return at(1) / at(0);
+  };
+  constexpr double kFilm = 1e-6;  // both films are solved to 1e-8 or better
+  for (const char* name : {"K_xx", "K_xy", "K_yx", "K_yy"}) {
+    CHECK(ratio(name) == Approx(2.0).epsilon(kFilm));
+  }
+  for (const char* name : {"C_xx", "C_xy", "C_yx", "C_yy"}) {
+    CHECK(ratio(name) == Approx(1.0).epsilon(kFilm));
+  }
+}
+
 TEST_CASE("ABadAxisEndsWithTwoAndAnExample") {
   const ScratchFolder scratch;
   const auto path = scratch.write("case.toml", kSampleCase);

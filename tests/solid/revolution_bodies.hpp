@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
+#include "core/make_grid.hpp"
 #include "core/revolution_mesh.hpp"
 #include "solid/revolution_elasticity.hpp"
 

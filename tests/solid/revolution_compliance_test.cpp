@@ -6,6 +6,7 @@
 
 #include "core/contract.hpp"
 #include "core/decompositions.hpp"
+#include "core/make_grid.hpp"
 #include "tests/analytic/elasticity.hpp"
 #include "tests/solid/revolution_bodies.hpp"
 

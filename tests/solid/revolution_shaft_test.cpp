@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "core/make_grid.hpp"
 #include "tests/analytic/elasticity.hpp"
 #include "tests/solid/revolution_bodies.hpp"
 

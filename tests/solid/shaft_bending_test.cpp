@@ -5,6 +5,7 @@
 
 #include "core/constants.hpp"
 #include "core/decompositions.hpp"
+#include "core/make_grid.hpp"
 #include "tests/solid/revolution_bodies.hpp"
 
 using namespace shellback;

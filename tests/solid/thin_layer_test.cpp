@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/decompositions.hpp"
+#include "core/make_grid.hpp"
 #include "tests/analytic/elasticity.hpp"
 #include "tests/solid/revolution_bodies.hpp"
 

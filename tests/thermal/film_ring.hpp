@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/constants.hpp"
+#include "core/make_grid.hpp"
 #include "thermal/film_energy.hpp"
 
 namespace shellback::thermal::tests {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/constants.hpp"
+#include "core/make_grid.hpp"
 #include "thermal/shaft_conduction.hpp"
 
 namespace shellback::thermal::tests {

@@ -3,6 +3,7 @@
 #include <random>
 #include <vector>
 
+#include "core/make_grid.hpp"
 #include "thermal/revolution_conduction.hpp"
 
 namespace shellback::thermal::tests {

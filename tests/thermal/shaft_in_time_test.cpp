@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/contract.hpp"
+#include "core/make_grid.hpp"
 #include "tests/thermal/sample_shaft.hpp"
 
 using namespace shellback;

@@ -4,6 +4,7 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/make_grid.hpp"
 #include "tests/thermal/sample_shell.hpp"
 
 using namespace shellback;

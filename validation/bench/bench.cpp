@@ -159,7 +159,7 @@ double error_in_time(const CycleResult& r, Case c, Tier tier) {
   const std::unique_ptr<gsl_spline, void (*)(gsl_spline*)> spline(
       gsl_spline_alloc(gsl_interp_cspline, t.size()), gsl_spline_free);
   gsl_spline_init(spline.get(), t.data(), h.data(), t.size());
-  const double sigma = std::hypot(c.surfaces.shell.roughness, c.surfaces.shaft.roughness);
+  const double sigma = bearing::combined_roughness(c.surfaces);
   double worst = 0.0;
   for (const CycleInstant& i : r.instants) {
     const double film = gsl_spline_eval(spline.get(), std::min(i.t, t.back()), nullptr);

@@ -9,6 +9,7 @@
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
+#include "core/make_grid.hpp"
 #include "thermal/film_energy.hpp"
 #include "validation/evaluators/evaluators.hpp"
 

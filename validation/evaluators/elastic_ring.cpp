@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/make_grid.hpp"
 #include "solid/revolution_elasticity.hpp"
 #include "validation/evaluators/evaluators.hpp"
 

@@ -6,6 +6,7 @@
 #include <compare>
 
 #include "core/constants.hpp"
+#include "core/make_grid.hpp"
 #include "solid/revolution_elasticity.hpp"
 #include "validation/evaluators/evaluators.hpp"
 

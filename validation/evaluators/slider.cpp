@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/constants.hpp"
+#include "core/make_grid.hpp"
 
 namespace shellback::validation {
 namespace {

@@ -4,6 +4,7 @@
 #include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/make_grid.hpp"
 #include "fluid/resultants.hpp"
 #include "fluid/reynolds.hpp"
 #include "validation/evaluators/evaluators.hpp"

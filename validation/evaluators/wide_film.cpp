@@ -6,6 +6,7 @@
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
+#include "core/make_grid.hpp"
 #include "fluid/resultants.hpp"
 #include "fluid/reynolds.hpp"
 #include "validation/evaluators/evaluators.hpp"

@@ -43,8 +43,6 @@ Case shell_case(int shell, Tier tier, const ShellSetting& s) {
   return app::read_case(app::case_path(shell_kinds()[shell].file).string(), set);
 }
 
-double least_film(const Case& c) {
-  return std::hypot(c.surfaces.shell.roughness, c.surfaces.shaft.roughness);
-}
+double least_film(const Case& c) { return bearing::combined_roughness(c.surfaces); }
 
 }  // namespace shellback::validation

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/harmonics.hpp"
+#include "core/make_grid.hpp"
 
 using namespace shellback;
 

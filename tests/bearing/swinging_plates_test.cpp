@@ -106,7 +106,8 @@ Case plates() {
   c.operation.omega = 0.0;
   place_journal(c, 0.0, 0.0);
   c.oil.temperature = rheology::ConstantViscosity{kViscosity};
-  c.shell->layers[0].material.expansion = c.shaft->material.expansion = 0.0;
+  for (ShellLayer& l : c.shell->layers) l.material.expansion = 0.0;
+  c.shell->housing->material.expansion = c.shaft->material.expansion = 0.0;
   return c;
 }
 

@@ -151,8 +151,7 @@ std::string in_degrees(double angle) { return fmt::format("{:.5g} deg", angle * 
 
 /// An instant of the cycle, told as the cycle is.
 std::string instant_told(const LoadCycle& cycle, double t) {
-  return cycle.crank_speed > 0.0 ? in_degrees(t * cycle.crank_speed)
-                                 : fmt::format("{:.5g} ms", 1e3 * t);
+  return cycle.crank_speed > 0.0 ? in_degrees(t * cycle.crank_speed) : duration_words(t);
 }
 
 std::string load_words(double force) {

@@ -77,12 +77,8 @@ void add_solid(const Case& subject, const Derived& d, std::vector<Indicator>& li
               is_elastic(subject) ? "elastic deformation matters; the tier has it"
                                   : "take the tier tehd, or switch elastic_deformation on"}));
   }
-  const Shell& shell = *subject.shell;
-  const double alpha =
-      shell.housing ? shell.housing->material.expansion : shell.layers[0].material.expansion;
-  const double thermal_deformation =
-      alpha * d.heat_per_pass * subject.bearing.radius / subject.bearing.radial_clearance;
-  list.push_back(make("thermal deformation", "alpha dT R/c", thermal_deformation, {0.02, 0.05},
+  list.push_back(make("thermal deformation", "alpha (T - T_ref) R/c",
+                      fidelity::thermal_opening(subject, d.T), {0.02, 0.05},
                       {"the clearance stays", "the clearance changes a little",
                        "the clearance changes: take the tier tehd"}));
 }

@@ -76,12 +76,17 @@ struct ScalarsOfFinerGrid {
 
 /// The tolerance of tier `auto` is not met: what the bars leave, and why.
 struct ToleranceNotMet {
-  enum class Why { no_walls, grid_given, grid_limit, cycle_grid };
+  enum class Why { no_walls, grid_given, grid_limit, cycle_grid, not_laminar };
   double tolerance = 0.0;  ///< [-]
   double friction = 0.0;   ///< [-]
   double h_min = 0.0;      ///< [-]
   Why why = Why::grid_limit;
   bool of_cycle = false;  ///< the mean friction torque
+};
+
+/// A tier without thermal deformation: the gap is that of the cold bearing.
+struct ColdClearance {
+  double part = 0.0;  ///< of the clearance by which heat may change it, of the order of [-]
 };
 
 /// The shaft's surface is at its mean: over the cycle, or around it over an event.
@@ -184,6 +189,11 @@ struct ShapeBetweenCells {
 /// The designed profile, taken at the middles of cells, is not that of the table.
 struct ProfileBetweenCells {
   double part = 0.0;  ///< of its volume that is missed or too much [-]
+};
+
+/// Rough surfaces without data of contact are nearer than their summits bear without touching.
+struct ContactLeftOut {
+  double lambda = 0.0;  ///< smallest film over the combined roughness [-]
 };
 
 /// Oil that is driven faster than a laminar film bears.
@@ -336,13 +346,13 @@ using Note = std::variant<
     std::string, note::Plain, note::ColdSpot, note::NoCoefficients, note::CavitatedDamping,
     note::OtherRoots, note::FactorsContinued, note::ShearBeyondLaw, note::BeyondOilRange,
     note::BeyondContactLaw, note::HeldAtHardness, note::EdgeNotResolved, note::ShapeBetweenCells,
-    note::ProfileBetweenCells, note::NotLaminar, note::FilmInertia, note::FedFlow, note::OilSheared,
-    note::VesselEmpty, note::MouthWidened, note::WornThrough, note::LayerFlown,
-    note::WornBeyondClearance, note::WearLedOn, note::StatesEnd, note::LiningTooHot,
-    note::OtherSteadyState, note::LayerPressed, note::NothingRicher, note::TierTaken,
-    note::BarsFromFinerGrid, note::RicherNotFound, note::EffectsNotJudged, note::ScalarsOfFinerGrid,
-    note::ToleranceNotMet, note::LandUnseen, note::SuppliesJoined, note::HardlySliding,
-    note::SupplyTakesBack, note::ShaftSwing, note::LongEvent, note::LoadMissed,
-    note::EstimateOfFilm, note::EstimateWithoutMass>;
+    note::ProfileBetweenCells, note::ContactLeftOut, note::NotLaminar, note::FilmInertia,
+    note::FedFlow, note::OilSheared, note::VesselEmpty, note::MouthWidened, note::WornThrough,
+    note::LayerFlown, note::WornBeyondClearance, note::WearLedOn, note::StatesEnd,
+    note::LiningTooHot, note::OtherSteadyState, note::LayerPressed, note::NothingRicher,
+    note::TierTaken, note::BarsFromFinerGrid, note::RicherNotFound, note::EffectsNotJudged,
+    note::ScalarsOfFinerGrid, note::ToleranceNotMet, note::LandUnseen, note::SuppliesJoined,
+    note::HardlySliding, note::SupplyTakesBack, note::ColdClearance, note::ShaftSwing,
+    note::LongEvent, note::LoadMissed, note::EstimateOfFilm, note::EstimateWithoutMass>;
 
 }  // namespace shellback::bearing

@@ -72,6 +72,11 @@ void add_factors(const BearingModel& m, const Field& h, std::vector<Note>& out) 
 
 void add_contact(const BearingModel& m, const FilmReach& reach, std::vector<Note>& out) {
   const Field& h = reach.h;
+  constexpr double kTouching = 3.0;  // film over roughness: mixed lubrication below it (textbook)
+  const double sigma = combined_roughness(m.input.surfaces);
+  if (!m.contact && !m.input.surfaces.contact && reach.h_min < kTouching * sigma) {
+    out.push_back(note::ContactLeftOut{reach.h_min / sigma});
+  }
   const fluid::SmallestGap& least = reach.least;
   if (const long cells = cells_beyond_law(m, h); cells > 0) {
     out.push_back(note::BeyondContactLaw{cells, least.h, m.contact->sigma(), m.contact->least_gap(),
@@ -185,20 +190,20 @@ void add_strain(const BearingModel& m, double p_max, double p_slope, std::vector
 
 }  // namespace
 
-note::NotLaminar reynolds_number(const BearingModel& m, double U, double T) {
-  const double c = m.clearance;
-  const double nu = rheology::viscosity(m.input.oil, T, 0.0) / rheology::density(m.oil, T, 0.0).rho;
-  return {std::abs(U) * c / nu, kTaylor * std::sqrt(m.input.bearing.radius / c)};
+note::NotLaminar reynolds_number(const Case& c, double U, double T) {
+  const double gap = c.bearing.radial_clearance;
+  const double nu = rheology::viscosity(c.oil, T, 0.0) / rheology::density(c.oil, T, 0.0).rho;
+  return {std::abs(U) * gap / nu, kTaylor * std::sqrt(c.bearing.radius / gap)};
 }
 
-double reduced_reynolds(const BearingModel& m, const note::NotLaminar& film) {
-  return film.reynolds * m.clearance / m.input.bearing.radius;
+double reduced_reynolds(const Case& c, const note::NotLaminar& film) {
+  return film.reynolds * c.bearing.radial_clearance / c.bearing.radius;
 }
 
-void add_turbulence(const BearingModel& m, double U, double T, std::vector<Note>& notes) {
-  const note::NotLaminar film = reynolds_number(m, U, T);
+void add_turbulence(const Case& c, double U, double T, std::vector<Note>& notes) {
+  const note::NotLaminar film = reynolds_number(c, U, T);
   if (film.reynolds > film.limit) notes.push_back(film);
-  const double reduced = reduced_reynolds(m, film);
+  const double reduced = reduced_reynolds(c, film);
   if (reduced > kInertiaMatters) notes.push_back(note::FilmInertia{reduced});
 }
 

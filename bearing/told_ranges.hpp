@@ -52,12 +52,12 @@ void add_temperature_of_edge_oil(const BearingModel& m, Tier tier, std::vector<N
 /// that at which Taylor vortices begin in a concentric gap,
 ///   Re = rho |U| c/eta,   Re_limit = 41.2 sqrt(R/c)      Source: Taylor 1923, textbook form
 inline constexpr double kTaylor = 41.2;  ///< [-]
-[[nodiscard]] note::NotLaminar reynolds_number(const BearingModel& m, double U, double T);
+[[nodiscard]] note::NotLaminar reynolds_number(const Case& c, double U, double T);
 /// Inertia of the film over its viscous forces, Re c/R = rho omega c^2/eta [-] (textbook).
-[[nodiscard]] double reduced_reynolds(const BearingModel& m, const note::NotLaminar& film);
+[[nodiscard]] double reduced_reynolds(const Case& c, const note::NotLaminar& film);
 inline constexpr double kInertiaMatters = 1.0;  ///< of it: as large as they are [-]
 /// One note if that limit is passed, one if the film's inertia matters.
-void add_turbulence(const BearingModel& m, double U, double T, std::vector<Note>& notes);
+void add_turbulence(const Case& c, double U, double T, std::vector<Note>& notes);
 
 /// Shear stress that oils bear, beyond which they slip or flow plastically however viscous, at
 /// ambient pressure and more by the pressure: tau_L = kShearAtRest + kShearByPressure p. Source:

@@ -193,9 +193,9 @@ struct NoHeatBalance {
 // Time.
 
 /// The walls that were tried leave the film no room, or the bearing does before it makes any heat:
-/// everything at `T`, one of the temperatures given.
+/// everything at `T`, one of the temperatures given, or that from which walls start.
 struct NoClearance {
-  enum class At { tried, coldest, warmest };
+  enum class At { tried, coldest, warmest, start };
   double deformation = 0.0;  ///< mean thermal widening of the gap, negative [m]
   double clearance = 0.0;    ///< cold [m]
   At at = At::tried;

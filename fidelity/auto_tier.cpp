@@ -302,8 +302,9 @@ class TierSearch {
     r.cost.factorizations = cost_.factorizations;
     r.cost.newton_iterations = cost_.newton_iterations;
     r.cost.setup_s = setup_s_;
-    r.choice =
-        AutoChoice{tolerance(), bars.within(tolerance()), bars.friction, bars.h_min, solved_};
+    const bool laminar = is_laminar(r);
+    r.choice = AutoChoice{tolerance(), laminar && bars.within(tolerance()), bars.friction,
+                          bars.h_min, solved_};
     if (!nodes_.known) {
       r.warnings.emplace_back(note::Plain::nodes_not_judged);
     }
@@ -311,7 +312,8 @@ class TierSearch {
     const bool heat = heat_.friction + heat_.h_min > 0.5 * tolerance();
     using Why = note::ToleranceNotMet::Why;
     r.warnings.push_back(note::ToleranceNotMet{tolerance(), bars.friction, bars.h_min,
-                                               heat                     ? Why::no_walls
+                                               !laminar                 ? Why::not_laminar
+                                               : heat                   ? Why::no_walls
                                                : case_.model.grid_given ? Why::grid_given
                                                                         : Why::grid_limit});
     return r;

@@ -14,6 +14,7 @@
 #include "fidelity/edge_error.hpp"
 #include "fidelity/grid_error.hpp"
 #include "fidelity/grid_sequence.hpp"
+#include "fidelity/indicators.hpp"
 #include "fidelity/land_error.hpp"
 #include "fidelity/light_contact.hpp"
 #include "fidelity/quantities.hpp"
@@ -297,6 +298,15 @@ bool put_bars_of_steps(const Case& c, const SolvedCycle& usual, double most_work
   return known;
 }
 
+/// Bars over a cycle hold nothing of the physics left out.
+void tell_cold_clearance(const Case& c, CycleResult& r) {
+  constexpr double kWorthAWord = 0.05;  // of the clearance
+  const CycleQuantity* T = named(r, "T_film_mean");
+  if (T == nullptr || physics_of(c, r.tier).thermal_deformation) return;
+  const double part = thermal_opening(c, T->quantity.value);
+  if (part > kWorthAWord) r.assumptions.push_back(note::ColdClearance{part});
+}
+
 }  // namespace
 
 std::optional<CycleResult> cycle_with_bars_of_steps(const Case& c, const SolveControl& control) {
@@ -313,6 +323,7 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   const SolvedCycle own = solve_cycle_from(nullptr, c, c.model.tier, control);
   CycleResult r = own.result;
   if (!r.verdict.good()) return r;
+  tell_cold_clearance(c, r);
   const Stopwatch watch;
   const Beside beside = solve_beside(c, own, control);
   if (!beside.known() || stopped(control)) {

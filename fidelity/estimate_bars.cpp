@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bearing/physics.hpp"
+#include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
 #include "fidelity/indicators.hpp"
 #include "rheology/density.hpp"
@@ -23,7 +24,12 @@ struct SupplyNumbers {
   /// Side flow over what they can feed, by pressure and by the motion of the journal, times the
   /// part of the clearance that is left, beyond a half: thick films need all their oil [-].
   double starved = 0.0;
+  /// By how much more oil would rise if no more of it left than they can feed, at least 1 [-].
+  double hotter = 1.0;
 };
+
+/// Beyond it a bar of the temperature says nothing more [-].
+constexpr double kMostHotter = 10.0;
 
 SupplyNumbers supply_numbers(const Case& c, const Estimate& e) {
   SupplyNumbers n;
@@ -47,6 +53,7 @@ SupplyNumbers supply_numbers(const Case& c, const Estimate& e) {
   if (e.load > 0.0) n.lift = force / e.load;
   n.starved = e.side_flow / fed * (1.0 - e.eps) - 0.5;  // no number: the widest bar
   if (n.starved < 0.0) n.starved = 0.0;
+  if (e.side_flow > fed) n.hotter = std::min(e.side_flow / fed, kMostHotter);
   return n;
 }
 
@@ -76,29 +83,19 @@ const solid::Material& body(const Shell& shell) {
   return shell.housing ? shell.housing->material : shell.layers[0].material;
 }
 
-double thermal_deformation(const Case& c, const Estimate& e) {
-  if (!c.shell || !c.shaft) return 0.0;
-  const double shaft = c.shaft->material.expansion;
-  const double difference = std::abs(body(*c.shell).expansion - shaft);
-  return std::max(difference, 0.3 * shaft) *  // alike: the shaft is the warmer one
-         std::abs(e.T - c.bearing.reference_temperature) * c.bearing.radius /
-         c.bearing.radial_clearance;
-}
-
 Indicators indicators(const Case& c, const Estimate& e) {
   const double U = std::abs(c.operation.omega) * c.bearing.radius;
-  const double gap = c.bearing.radial_clearance, h = std::max(e.h_min, 1e-9);
+  const double h = std::max(e.h_min, 1e-9);
   const auto oil = rheology::viscosity_slopes(c.oil, e.T, 0.0, 0.0);
   Indicators n;
-  n.heating = -oil.dln_dT * std::abs(e.rise);
-  if (c.shell) n.elastic = bore_compliance(c) * e.p_max / h;
-  n.thermal = thermal_deformation(c, e);
-  n.pressure = rheology::pressure_slope(c.oil, e.T, 0.0) * e.p_max;
   n.supply = supply_numbers(c, e);
+  n.heating = -oil.dln_dT * std::abs(e.rise) * n.supply.hotter;
+  if (c.shell) n.elastic = bore_compliance(c) * e.p_max / h;
+  n.thermal = thermal_opening(c, e.T);
+  n.pressure = rheology::pressure_slope(c.oil, e.T, 0.0) * e.p_max;
   const double nahme = -oil.dln_dT * e.eta * U * U / rheology::conductivity(c.oil, e.T, 0.0).k;
   const double lost = 1.0 - rheology::viscosity_slopes(c.oil, e.T, 0.0, U / h).eta / oil.eta;
-  const double reynolds = rheology::density(c.oil, e.T, 0.0).rho * U * gap / e.eta;
-  const double taylor = 41.2 * std::sqrt(c.bearing.radius / gap);
+  const note::NotLaminar film = reynolds_number(c, U, e.T);
   const Physics has = physics_of(c, Tier::isothermal);
   n.effects = {
       {EffectKind::heating, true, n.heating},
@@ -108,8 +105,8 @@ Indicators indicators(const Case& c, const Estimate& e) {
       {EffectKind::viscosity_with_pressure, has.pressure_dependence, n.pressure},
       {EffectKind::shear_thinning, has.shear_thinning, lost},
       {EffectKind::roughness_and_contact, has.contact, e.lambda},
-      {EffectKind::turbulence, false, reynolds / taylor},
-      {EffectKind::film_inertia, false, reynolds * gap / c.bearing.radius},
+      {EffectKind::turbulence, false, film.reynolds / film.limit},
+      {EffectKind::film_inertia, false, reduced_reynolds(c, film)},
   };
   return n;
 }
@@ -149,6 +146,15 @@ double shaft_sag(const Case& c) {
          (middle / (m.youngs_modulus * 0.25 * section * R * R) + 2.0 * R / (kShear * G * section));
 }
 
+double thermal_opening(const Case& c, double T) {
+  if (!c.shell || !c.shaft) return 0.0;
+  const double shaft = c.shaft->material.expansion;
+  const double difference = std::abs(body(*c.shell).expansion - shaft);
+  return std::max(difference, 0.3 * shaft) *  // alike: the shaft is the warmer one
+         std::abs(T - c.bearing.reference_temperature) * c.bearing.radius /
+         c.bearing.radial_clearance;
+}
+
 double bore_compliance(const Case& c) {
   double inner = c.bearing.radius, layers = shaft_sag(c);
   for (const ShellLayer& layer : c.shell->layers) {
@@ -175,7 +181,7 @@ EstimateBars estimate_bars(const Case& c, const Estimate& e) {
   bars.angle = bar(kParts.angle, e, n);
   // Of h = gap - e: by h, and by what walls and pressure change in the gap.
   bars.eccentricity = n.thermal + (bars.film + n.elastic) * (1.0 - e.eps);
-  bars.temperature = std::max(2.0, 0.5 * std::abs(e.rise));
+  bars.temperature = std::max(2.0, std::max(0.5, n.supply.hotter - 1.0) * std::abs(e.rise));
   bars.effects = std::move(n.effects);
   return bars;
 }

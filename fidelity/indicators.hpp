@@ -14,4 +14,9 @@ namespace shellback::fidelity {
 /// the shaft. The case has a shell.
 [[nodiscard]] double bore_compliance(const bearing::Case& c);
 
+/// What shell and shaft at T [K] change of the clearance, freely, over the clearance: by the
+/// difference of their expansions, or 0.3 of the shaft's, which is the warmer one; 0: one of them
+/// is not known [-].
+[[nodiscard]] double thermal_opening(const bearing::Case& c, double T);
+
 }  // namespace shellback::fidelity

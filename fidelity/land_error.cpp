@@ -1,18 +1,22 @@
 #include "fidelity/land_error.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "bearing/bearing.hpp"
 #include "core/constants.hpp"
 #include "core/round_off.hpp"
+#include "fidelity/quantities.hpp"
 
 namespace shellback::fidelity {
 
 namespace {
 
-constexpr double kPad = 20.0;  // (1)
-constexpr double kSide = 0.1;  // (2)
-constexpr double kHole = 0.2;  // (3)
+constexpr double kPad = 20.0;       // (1)
+constexpr double kSide = 0.1;       // (2)
+constexpr double kHole = 0.2;       // (3)
+constexpr double kPast = 0.1;       // (4)
+constexpr double kPastHeat = 0.04;  // (4)
 
 struct Land {
   int cells = 0;
@@ -44,6 +48,13 @@ int cells_to_supply(const FilmGrid& g, const fluid::SupplyMap& supply, int i, in
     if (supply.cell[g.index(i, edge + n * inwards)] >= 0) return n;
   }
   return 0;
+}
+
+bool is_flow(std::string_view name) {
+  return name == "side_flow" || name == "supply_flow" || name == "pump_power";
+}
+bool is_friction(std::string_view name) {
+  return name.starts_with("friction_") || name == "power_loss";
 }
 
 /// Rows of cells along the bearing that patch k takes.
@@ -94,10 +105,31 @@ LandError land_error(const bearing::Case& c) {
   return land_error(bearing::film_grid(c, c.model.grid), bearing::supply_map(c, c.model.grid));
 }
 
+int cells_of_side_lands(const FilmGrid& g, const fluid::SupplyMap& supply) {
+  int least = 0;
+  const auto meet = [&](int m) {
+    if (m > 0) least = least == 0 ? m : std::min(least, m);
+  };
+  for (int i = 0; i < g.nt; ++i) {
+    meet(cells_to_supply(g, supply, i, g.nz - 1, -1));
+    if (!g.half) meet(cells_to_supply(g, supply, i, 0, 1));
+  }
+  return least;
+}
+
+int cells_of_side_lands(const bearing::Case& c, const std::array<int, 2>& cells) {
+  return cells_of_side_lands(bearing::film_grid(c, cells), bearing::supply_map(c, cells));
+}
+
+double open_past_lands(int m, bool heated, const std::string& name) {
+  if (m == 0) return 0.0;
+  const bool of_heat = heated && (is_friction(name) || is_of_heat(name));
+  return (is_flow(name) ? kPast : of_heat ? kPastHeat : 0.0) / std::pow(m, 1.5);
+}
+
 double open_by_lands(const LandError& lands, std::string_view name) {
-  const bool friction = name.starts_with("friction_") || name == "power_loss";
-  const bool flow = name == "side_flow" || name == "supply_flow" || name == "pump_power";
-  return std::max({lands.pads, friction ? lands.sides : 0.0, flow ? lands.holes : 0.0});
+  return std::max(
+      {lands.pads, is_friction(name) ? lands.sides : 0.0, is_flow(name) ? lands.holes : 0.0});
 }
 
 }  // namespace shellback::fidelity

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/contract.hpp"
+#include "fidelity/cycle_bars.hpp"
 #include "fidelity/edge_error.hpp"
 #include "fidelity/quantities.hpp"
 
@@ -120,6 +121,26 @@ void share(const CourseRun& run, const Begun& begun, const LandError& lands, Ins
   }
 }
 
+/// And what the steps within the cycle leave open, of the last stretch's on `grid`: marches on all
+/// grids take the same.
+void add_open_within_cycles(Case c, const Grid& grid, SolveControl control, const CourseRun& run,
+                            Instants& bars) {
+  control.kept = nullptr;
+  c.model.grid = grid;
+  const auto cycle = cycle_with_bars_of_steps(c, control);
+  for (const auto& q : kFollowedInstants) {
+    const CycleQuantity* known = cycle ? named(*cycle, q.name) : nullptr;
+    if (known == nullptr) continue;
+    const Quantity& told = known->quantity;
+    const double open = std::min(told.error_time, furthest(c, told));
+    const bool absolute = std::string_view(q.unit) == "K";
+    for (std::size_t k = 0; k < bars.size(); ++k) {
+      const double value = std::abs(run.instants[k].*q.value);
+      bars[k].*q.value += absolute || told.size() == 0.0 ? open : open / told.size() * value;
+    }
+  }
+}
+
 /// Of marches in steps of their own, which end at times of their own.
 EndBars end_bars(const std::vector<Stretch>& stretches, const WarmUpOptions& options,
                  const CourseRun& run, const SolveControl& control) {
@@ -184,6 +205,10 @@ MarchBars march_bars(const std::vector<Stretch>& stretches, const WarmUpOptions&
     const Begun begun{options.T_start, mean_supply_temperature(c)};
     share(run, begun, land_error(c), bars.grid);
     share(run, begun, {}, bars.time);
+    if (run.over_cycles && !stopped(control)) {
+      add_open_within_cycles(stretches.back().subject, coarse.usual.back().first, control, run,
+                             bars.time);
+    }
   }
   if (run.end.left_bounds) bars.end = end_bars(stretches, options, run, control);
   bars.interrupted = stopped(control);

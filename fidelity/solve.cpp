@@ -36,6 +36,33 @@ void share_bar_of_heat(const Judged& judged, const Result& result) {
   }
 }
 
+/// Cells of the side lands where all grids of the sequence have as many; else 0.
+int cells_of_all_lands(const Solution& s, const std::vector<LevelRecord>& levels) {
+  const int own = cells_of_side_lands(s.model.domain.grid, s.model.supply);
+  const bool alike = std::all_of(levels.begin(), levels.end(), [&](const LevelRecord& l) {
+    return cells_of_side_lands(s.model.input, l.grid) == own;
+  });
+  return alike ? own : 0;
+}
+
+/// What two and four more nodes across the film change on the coarse grid, whichever is more: steep
+/// layers at walls far warmer than the feed show little of what they lack by two (decision 089).
+std::vector<Quantity> change_by_nodes(const Solution& coarse, const SolveControl& control) {
+  constexpr double kNodeSafety = 1.25;  // against 15 nodes
+  std::vector<Quantity> out;
+  const auto here = scalars(coarse);
+  std::optional<Solution> finer = coarse;
+  for (int step = 0; step < 2; ++step) {
+    finer = with_more_nodes(*finer, control);
+    if (!finer) return out;
+    const auto moved = change(here, scalars(*finer));
+    if (out.empty()) out = moved;
+    for (Quantity& q : out) q.value = larger(std::abs(q.value), std::abs(value_in(moved, q.name)));
+  }
+  for (Quantity& q : out) q.value *= kNodeSafety;
+  return out;
+}
+
 /// Bars of the grid with the orders observed; not-a-number where the value of the result's own grid
 /// is not there.
 void put_grid_bars(const BarRecord& record, Result& result) {
@@ -43,6 +70,7 @@ void put_grid_bars(const BarRecord& record, Result& result) {
   // 10 K per step, the viscosity changes by a few per cent per kelvin.
   constexpr double kIteration = 1e-4;  // [-]
   const Case& c = record.coarse->model.input;
+  const bool heated = record.coarse->model.physics.film_energy || result.tier == Tier::lumped;
   Judged judged;
   std::vector<BarOfSize> bars;
   for (Quantity& q : result.quantities) {
@@ -64,6 +92,7 @@ void put_grid_bars(const BarRecord& record, Result& result) {
     q.error_grid = bar.bar + q.error_nodes;
     if (q.name == "h_min") q.error_grid += record.edge;
     q.error_grid = larger(q.error_grid, open_by_lands(record.lands, q.name) * size);
+    q.error_grid = larger(q.error_grid, open_past_lands(record.land_cells, heated, q.name) * size);
     q.order = bar.order;
     const bool known = q.error_grid < size;  // at all: else it leads anywhere
     q.limit = known ? limit_of(c, q, bar.limit) : NAN;
@@ -119,9 +148,8 @@ BarRecord measure_bars(const Solution& s, Tier tier, const SolveControl& control
   record.coarse = std::move(sequence.coarse);
   record.levels = std::move(sequence.levels);
   if (record.coarse && !stopped(control)) {
-    const auto richer =
-        nodes_matter(s.model) ? with_more_nodes(*record.coarse, control) : std::nullopt;
-    if (richer) record.node_change = change(scalars(*record.coarse), scalars(*richer));
+    record.land_cells = cells_of_all_lands(own, record.levels);
+    if (nodes_matter(s.model)) record.node_change = change_by_nodes(*record.coarse, control);
     if (bars == WantedBars::grid_and_model) record.model = model_error(*record.coarse, control);
   }
   record.wall_s = watch.seconds();

@@ -11,11 +11,12 @@ namespace shellback::fidelity {
 struct BarRecord {
   std::array<int, 2> grid{0, 0};            ///< that of the result
   std::optional<bearing::Solution> coarse;  ///< same tier, solved to the end; grid_sequence.hpp
-  /// Change of each quantity by two more nodes across the film, on the coarse grid.
+  /// What more nodes across the film change each quantity by, on the coarse grid.
   std::vector<bearing::Quantity> node_change;
   std::vector<bearing::LevelRecord> levels;  ///< grids used, from the coarsest on
   double edge = 0.0;                         ///< of the smallest film, edge_error.hpp [m]
   LandError lands;                           ///< of few cells beside supplies
+  int land_cells = 0;                        ///< of side lands, as many on all grids; 0: not so
   ModelError model;
   double wall_s = 0.0;
 };

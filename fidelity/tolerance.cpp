@@ -47,6 +47,11 @@ void propose_grid(const Result& r, bool nodes_stay, Shortfall& s) {
 
 double RelativeBars::total() const { return std::isfinite(grid) ? grid + known(model) : model; }
 
+bool is_laminar(const Result& r) {
+  return std::none_of(r.warnings.begin(), r.warnings.end(),
+                      [](const Note& n) { return std::holds_alternative<note::NotLaminar>(n); });
+}
+
 RelativeBars relative_bars(const Result& r, const std::string& quantity) {
   for (const Quantity& q : r.quantities) {
     const double size = q.size();
@@ -61,10 +66,19 @@ RelativeBars relative_bars(const Result& r, const std::string& quantity) {
 Shortfall shortfall(const Result& r, double tolerance, bool nodes_stay) {
   Shortfall s{tolerance, relative_bars(r, "friction_torque"), relative_bars(r, "h_min")};
   s.grid = r.grid;
+  s.laminar = is_laminar(r);
+  if (r.choice) {  // of tier auto: held to what it means its values for
+    s.met = r.choice->met;
+    s.friction.grid = r.choice->bar_friction;
+    s.h_min.grid = r.choice->bar_h_min;
+    s.friction.model = s.h_min.model = 0.0;
+    return s;
+  }
   for (const RelativeBars* bars : {&s.friction, &s.h_min}) {
     if (bars->total() > tolerance) s.met = false;
     if (tolerance - known(bars->model) < kWorthAGrid * tolerance) s.physics = true;
   }
+  if (!s.laminar) s.met = false, s.physics = true;
   if (!s.met && !s.physics && r.grid[0] > 0) propose_grid(r, nodes_stay, s);
   return s;
 }

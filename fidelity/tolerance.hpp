@@ -23,6 +23,9 @@ struct RelativeBars {
   /// The known ones together.
   [[nodiscard]] double total() const;
 };
+/// False if the result warns of vortices or turbulence, which no tier knows.
+[[nodiscard]] bool is_laminar(const bearing::Result& r);
+
 [[nodiscard]] RelativeBars relative_bars(const bearing::Result& r, const std::string& quantity);
 
 /// What stands between a result and its tolerance.
@@ -31,6 +34,7 @@ struct Shortfall {
   RelativeBars friction;
   RelativeBars h_min;
   bool met = true;                ///< both bars are within; also where none is known
+  bool laminar = true;            ///< false: of a film that it is not, bars tell nothing
   bool physics = false;           ///< what is left out exceeds what a grid could make up for
   std::array<int, 2> grid{0, 0};  ///< by (1), no finer than the finest that values are meant for
   double expected = 0.0;          ///< larger of both bars there [-]

@@ -30,11 +30,14 @@ void profile_moments(const HeightMap& map, double& m2, double& m4) {
   m4 = second / (static_cast<double>(map.nx - 2) * map.ny);
 }
 
+/// Of neighbours of one height, as rounded ones are, the last in reading order is the summit.
 bool is_summit(const HeightMap& map, int i, int j) {
   const double z = map.at(i, j);
   for (int b = -1; b <= 1; ++b) {
     for (int a = -1; a <= 1; ++a) {
-      if ((a != 0 || b != 0) && map.at(i + a, j + b) >= z) return false;
+      const bool behind = b > 0 || (b == 0 && a > 0);
+      const double other = map.at(i + a, j + b);
+      if ((a != 0 || b != 0) && (other > z || (behind && other == z))) return false;
     }
   }
   return true;

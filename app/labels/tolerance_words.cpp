@@ -40,6 +40,8 @@ std::string tolerance_above(double part) {
   return fmt::format("{:.4g} %", unit * std::ceil(100.0 * part / unit));
 }
 
+constexpr const char* kNotLaminar = "the film is not laminar, and no tier knows another";
+
 std::string missed_words(const Shortfall& s) {
   std::string words;
   const auto add = [&](const char* name, const RelativeBars& bars) {
@@ -49,6 +51,7 @@ std::string missed_words(const Shortfall& s) {
   };
   add("friction torque", s.friction);
   add("smallest film", s.h_min);
+  if (!s.laminar) words += std::string(words.empty() ? "" : ", ") + kNotLaminar;
   return words;
 }
 
@@ -108,6 +111,10 @@ Missed missed_by_auto(const Case& c, const Result& r) {
   Missed missed;
   missed.words = fmt::format("friction torque +-{}, smallest film +-{}",
                              percent(choice.bar_friction), percent(choice.bar_h_min));
+  if (!fidelity::is_laminar(r)) {
+    missed.words += std::string("; ") + kNotLaminar;
+    return missed;
+  }
   if (c.model.grid_given) {
     missed.outlook = "its grid is given; with a grid of its own choice";
     missed.command = command_line("run", c, set_words(kGrid, "auto"), {kGrid});
@@ -193,7 +200,7 @@ Missed missed_tolerance(const Case& c, const Result& result) {
   Missed missed;
   missed.words = missed_words(s);
   if (s.physics) {
-    take_auto(c, missed);
+    if (s.laminar) take_auto(c, missed);
   } else {
     take_grid(c, s, "run", "", result.grid, missed);
   }
@@ -247,8 +254,8 @@ Missed missed_tolerance(const Case& subject, const study::Sweep& sweep) {
       "{} of {} points, the widest bars at {}: {}", w.count, sweep.count_good(),
       position_words(sweep.axes, {static_cast<double>(at.front()), {at.begin() + 1, at.end()}}),
       missed_words(w.missed));
-  if (w.missed.physics) {
-    sweep_by_auto(subject, sweep, missed);
+  if (w.missed.physics || w.point->result.choice) {
+    if (w.missed.laminar && !w.point->result.choice) sweep_by_auto(subject, sweep, missed);
     return missed;
   }
   const std::string axes = all_axes(sweep, w.missed.grid);
@@ -272,6 +279,7 @@ std::string undetermined_words(const Result& result) {
   constexpr double kCounts = 0.01;  // of the whole torque: what summits take of it is worth a word
   if (result.tier == bearing::Tier::estimate) return "";
   const bearing::Quantity* torque = bearing::quantity_in(result.quantities, "friction_torque");
+  const bearing::Quantity* p_max = bearing::quantity_in(result.quantities, "p_max");
   std::string words;
   for (const bearing::Quantity& q : result.quantities) {
     const bool positive = (q.unit == "Pa" || q.name == "h_min") && q.value > 0.0;
@@ -279,6 +287,9 @@ std::string undetermined_words(const Result& result) {
                       q.error() > kCounts * torque->size();
     const double size = std::abs(q.value);
     if (!(positive || (rubs && size > 0.0)) || !(q.error() > size)) continue;
+    const bool unseen = q.name == "p_asperity_max" && p_max != nullptr &&
+                        q.error() < kCounts * std::abs(p_max->value);
+    if (unseen) continue;  // summits that carry nothing, whatever the grid
     const std::string label = rubs ? "torque of asperities" : quantity_label(q.name);
     words += fmt::format("{}{} (bars of {} times the value)", words.empty() ? "" : ", ", label,
                          figures(q.error() / size, 2));

@@ -8,11 +8,23 @@ namespace shellback::app {
 
 using bearing::CycleResult;
 
+namespace {
+
+bool in_seconds(const CycleResult& cycle) {
+  constexpr double kLong = 2.0;  // [s]
+  const double last = cycle.instants.empty() ? 0.0 : cycle.instants.back().t;
+  return (std::isfinite(cycle.period) ? cycle.period : last) > kLong;
+}
+
+}  // namespace
+
 Axis cycle_axis(const CycleResult& cycle) {
   const bool whole = std::isfinite(cycle.period) && cycle.period > 0.0;
   const double last = whole ? cycle.period : cycle.instants.empty() ? 0.0 : cycle.instants.back().t;
   const double end = on_axis(cycle, last);
-  if (!has_crank(cycle)) return tight_axis(0.0, end > 0.0 ? end : 1.0, 8, "time [ms]");
+  if (!has_crank(cycle)) {
+    return tight_axis(0.0, end > 0.0 ? end : 1.0, 8, in_seconds(cycle) ? "time [s]" : "time [ms]");
+  }
   Axis axis{0.0, end > 0.0 ? end : 720.0, {}, 0, "crank angle [°]"};
   constexpr double kFewest = 45.0;  // [deg]
   double step = kFewest;
@@ -25,7 +37,8 @@ Axis cycle_axis(const CycleResult& cycle) {
 
 double on_axis(const CycleResult& cycle, double t) {
   constexpr double kPerMilli = 1e3;  // ms per s
-  return has_crank(cycle) ? shown_instant(cycle, t) : kPerMilli * t;
+  if (has_crank(cycle)) return shown_instant(cycle, t);
+  return in_seconds(cycle) ? t : kPerMilli * t;
 }
 
 }  // namespace shellback::app

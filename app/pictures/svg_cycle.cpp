@@ -77,6 +77,25 @@ FieldMap map_of(const bearing::Case& c, const CycleResult& cycle, FilmField whic
   return film_map(c, film, which, scale, title);
 }
 
+/// The mark of h_min, which the rims know as well, in the column of cells where it is.
+FieldMap marked_where_least(FieldMap map, const CycleResult& cycle) {
+  if (map.marks.empty() || cycle.instants.empty()) return map;
+  const auto least = std::min_element(
+      cycle.instants.begin(), cycle.instants.end(),
+      [](const CycleInstant& a, const CycleInstant& b) { return a.h_min < b.h_min; });
+  const FilmGrid& g = cycle.fields.grid;
+  const auto off = [&](int i) {
+    return std::abs(std::remainder(g.phi[i] - least->h_min_angle, 2.0 * kPi));
+  };
+  int i = 0;
+  for (int k = 1; k < g.nt; ++k) i = off(k) < off(i) ? k : i;
+  const auto row = cycle.fields.h_min.begin() + g.index(i, 0);
+  const auto j = std::min_element(row, row + g.nz) - row;
+  const double degrees = g.phi[i] * 180.0 / kPi;
+  map.marks.front().at = {degrees - 360.0 * std::floor(degrees / 360.0), 1e3 * g.z[j]};
+  return map;
+}
+
 /// Without the mark that calls the largest value p_max.
 FieldMap unmarked(FieldMap map) {
   map.marks.clear();
@@ -241,7 +260,8 @@ std::optional<FieldMap> cycle_map(const bearing::Case& c, const CycleResult& cyc
                              "Largest contact pressure of each place"));
     case CycleMap::gap:
       if (!known(f.h_min)) return {};
-      return map_of(c, cycle, FilmField::gap, f.h_min, "Smallest gap of each place");
+      return marked_where_least(
+          map_of(c, cycle, FilmField::gap, f.h_min, "Smallest gap of each place"), cycle);
     case CycleMap::friction:
       if (!known(f.friction_power)) return {};
       return power_map(c, cycle, f.friction_power, "Friction power, mean of the cycle");

@@ -75,7 +75,7 @@ std::string words_of(const CycleResult& cycle, const CycleFrame& frame) {
   const auto* i = instant_of(cycle, frame);
   std::string words = has_crank(cycle)
                           ? fmt::format("crank angle {:.0f}°", shown_instant(cycle, frame.t))
-                          : fmt::format("time {:.4g} ms", 1e3 * frame.t);
+                          : "time " + duration_words(frame.t);
   if (i == nullptr) return words;
   return words + fmt::format(", largest pressure {} MPa, smallest film {} µm, load {} kN",
                              figures(1e-6 * i->p_max, 3), figures(1e6 * i->h_min, 3),

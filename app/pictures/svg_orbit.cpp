@@ -211,7 +211,7 @@ OrbitFrame draw_orbit(Svg& svg, const Box& box, const bearing::Case& c, const Cy
   const double most = reach(cycle, clearance, room, kArrow);
   const OrbitFrame frame{{box.x + kRim + half, box.y + kOrbitTop + kRim + half}, half / most};
   svg.text({box.x, box.y + 14.0},
-           round ? "Path of the journal; the circle is the clearance"
+           round ? "Path of the journal; the circle is the cold clearance"
                  : "Path of the journal, and how far the bore lets it",
            {theme.ink, 12.5, Anchor::start, true});
   draw_circles(svg, frame, most, round, theme);

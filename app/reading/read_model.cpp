@@ -94,8 +94,6 @@ void read_rules(const Section& section, Model& model) {
   if (section.has("edges")) {
     model.edges =
         section.choice<Edges>("edges", {{"flooded", Edges::flooded}, {"dry", Edges::dry}});
-  } else {
-    section.assume("the bearing's edges are taken as flooded with oil (model.edges)");
   }
   const auto cavitation =
       section.maybe_gauge_pressure("cavitation_pressure", kPressure.such_as("0 bar"));
@@ -105,6 +103,9 @@ void read_rules(const Section& section, Model& model) {
     section.assume(
         "the film is taken to cavitate at ambient pressure "
         "(model.cavitation_pressure = 0 bar)");
+  }
+  if (!section.has("edges") && model.cavitation_pressure < 0.0) {  // else nothing draws it in
+    section.assume("the bearing's edges are taken as flooded with oil (model.edges)");
   }
   if (const auto equivalent = section.maybe_section("equivalent_temperature")) {
     equivalent->only({"kappa"}, "model.equivalent_temperature");

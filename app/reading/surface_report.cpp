@@ -172,8 +172,8 @@ void judge_size(const SurfaceReport& r) {
       fmt::format("the patch of {:.4g} x {:.4g} um is too small for statistics: heights are "
                   "correlated over {} (along the lay) and {} (across it), so that Rq has a "
                   "standard error of {:.0f} %, and {:.3g} % is allowed; measure {:.1f} correlation "
-                  "lengths each way, {:.3g} um along the lay and {:.3g} um across{}, remove more "
-                  "form (--form), or allow more (--error)",
+                  "lengths each way, {:.3g} um along the lay and {:.3g} um across{}, or allow "
+                  "more (--error); more form (--form) takes waviness away, but roughness with it",
                   1e6 * r.map.length(), 1e6 * r.map.width(), length_words(c.longest),
                   length_words(c.shortest), 100.0 * error, 100.0 * allowed, sides,
                   1e6 * sides * c.longest.length, 1e6 * sides * c.shortest.length,
@@ -300,8 +300,23 @@ void note_mirror(SurfaceReport& r) {
                   1e9 * r.heights.Rq));
 }
 
+/// Each term of the form takes away no more of the roughness's variance than one that is constant
+/// over a correlation area does, 2/N; maps of 12 lengths lost two thirds of that.
+void note_form(SurfaceReport& r) {
+  constexpr double kSeen = 0.02;  // of Rq
+  const int n = r.options.form;
+  const double lost = 0.5 * (n + 1) * (n + 2) / r.correlation.independent;
+  if (n == 0 || lost < kSeen) return;
+  r.notes.push_back(
+      fmt::format("form of degree {} takes roughness away with it: beside their standard error Rq "
+                  "and summits may come out up to {:.0f} % low; a lower one (--form), or a larger "
+                  "patch, takes less",
+                  n, 100.0 * std::min(lost, 1.0)));
+}
+
 void note_limits(const std::vector<Summit>& summits, SurfaceReport& r) {
   note_mirror(r);
+  note_form(r);
   if (const std::string spikes = spike_words(r); !spikes.empty()) r.notes.push_back(spikes);
   note_lay(r);
   note_grid(r);

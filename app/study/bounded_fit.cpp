@@ -6,6 +6,7 @@
 #include "app/study/bounded_search.hpp"
 #include "core/contract.hpp"
 #include "core/decompositions.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::study {
 namespace {
@@ -73,7 +74,13 @@ void add_deviations(const FitProblem& p, const BoundedSearch& s, const Values& y
   }
   const ThinSvd svd = thin_svd(A);
   fit.remaining = remaining_step(p, svd, r, fit.scale);
-  const Eigen::MatrixXd half = svd.V * svd.values.cwiseInverse().asDiagonal() * fit.scale;
+  // A direction that the data do not determine says nothing of keys that have no part in it.
+  Eigen::MatrixXd half = svd.V;
+  for (Eigen::Index k = 0; k < half.cols(); ++k) {
+    for (double& part : half.col(k)) {
+      part = std::abs(part) < kRoundOff ? 0.0 : part * fit.scale / svd.values[k];
+    }
+  }
   const Eigen::MatrixXd cov = half * half.transpose();
   for (std::size_t a = 0; a < free.size(); ++a) {
     const auto ia = static_cast<Eigen::Index>(a);

@@ -14,6 +14,12 @@ inline constexpr const char* kFit =
     "(bearing.reference_temperature), or a housing that may give way (shell.housing.support)";
 
 inline std::string told_without_clearance(const ending::NoClearance& e) {
+  if (e.at == ending::NoClearance::At::start) {
+    return fmt::format(
+        "thermal deformation closes the bearing before it turns: with shell and shaft at {}, from "
+        "where they start, {:.3g} um on the mean of a clearance of {:.3g} um are gone",
+        told_temperature(e.T), -1e6 * e.deformation, 1e6 * e.clearance);
+  }
   const bool coldest = e.at == ending::NoClearance::At::coldest;
   return fmt::format(
       "thermal deformation {} the bearing before it turns: with everything at {}, "

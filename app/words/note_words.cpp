@@ -210,6 +210,8 @@ const char* text_of(note::ToleranceNotMet::Why why) {
       return "the grid is given: without model.grid it is chosen for the tolerance";
     case note::ToleranceNotMet::Why::grid_limit:
       return "model.grid = [400, 50] or finer is solved as it is";
+    case note::ToleranceNotMet::Why::not_laminar:
+      return "both of a laminar film, which this one is not";
     case note::ToleranceNotMet::Why::cycle_grid:
       break;
   }
@@ -222,6 +224,13 @@ std::string text_of(const note::ToleranceNotMet& n) {
       "{}; {}",
       100.0 * n.tolerance, n.of_cycle ? "mean " : "", known_within(n.friction),
       known_within(n.h_min), text_of(n.why));
+}
+
+std::string text_of(const note::ColdClearance& n) {
+  return fmt::format(
+      "the clearance is that at bearing.reference_temperature: at the film's temperature shell and "
+      "shaft may differ by some {:.0f} % of it, which tier tehd knows",
+      100.0 * n.part);
 }
 
 std::string text_of(const note::ShaftSwing& n) {
@@ -350,6 +359,13 @@ std::string text_of(const note::ProfileBetweenCells& n) {
       "the grid does not resolve the profile of the bore: {:.0f} % of its volume lies between the "
       "middles of the cells: more cells in model.grid, or a profile whose steps lie on their faces",
       100.0 * n.part);
+}
+
+std::string text_of(const note::ContactLeftOut& n) {
+  return fmt::format(
+      "the smallest film is {:.2g} combined roughnesses, where summits carry part of the load "
+      "(below 3), and contact is left out: give surfaces.contact",
+      n.lambda);
 }
 
 std::string text_of(const note::NotLaminar& n) {

@@ -308,7 +308,7 @@ void CycleRecord::tell_ranges(CycleResult& r) const {
   reach.p_slope = p_slope_;
   if (!layer_depth_.empty()) reach.layer_depth = largest(layer_depth_);
   for (Note& w : range_warnings(m, reach)) r.warnings.push_back(std::move(w));
-  add_turbulence(m, course_->largest_speed() * m.input.bearing.radius, T_film_ / told(),
+  add_turbulence(m.input, course_->largest_speed() * m.input.bearing.radius, T_film_ / told(),
                  r.warnings);
   add_fed_flow(fed_fastest_, r.warnings);
   add_sheared_oil(sheared_, r.warnings);

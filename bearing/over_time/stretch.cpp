@@ -62,7 +62,14 @@ Verdict begin_film(const SolidState& bodies, double T_cold, double T_oil,
   s.heat.T_shaft = walls.shaft.temperature;
   if (s.model.physics.thermal_deformation) s.heat.thermal_deformation = walls.thermal_deformation;
   s.T_film = T_oil;
-  return first_film(s, s.T_film, control);
+  const Verdict film = first_film(s, s.T_film, control);
+  if (film.good() || s.heat.thermal_deformation.empty()) return film;
+  const double widening = area_mean(s.model.domain.grid, s.heat.thermal_deformation);
+  const bool closed = widening <= -s.model.clearance;
+  return closed ? Verdict{Status::iteration_limit,
+                          ending::NoClearance{widening, s.model.clearance,
+                                              ending::NoClearance::At::start, T_cold}}
+                : film;
 }
 
 MarchEnd steadily_loaded(const Case& c, Tier tier, const WarmUpOptions& o,

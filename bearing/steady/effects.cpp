@@ -62,7 +62,7 @@ std::vector<Effect> effects_of(const Solution& s, const Friction& f, Tier tier) 
   const double k = rheology::conductivity(m.oil, p.T, 0.0).k;
   const double alpha = rheology::pressure_slope(m.input.oil, p.T, 0.0);
   const double sigma = largest_roughness(m.input.surfaces);
-  const note::NotLaminar film = reynolds_number(m, U, p.T);
+  const note::NotLaminar film = reynolds_number(m.input, U, p.T);
   return {
       {EffectKind::heating, has.film_energy || tier == Tier::lumped,
        p.beta * temperature_rise(s, f, p)},
@@ -76,7 +76,7 @@ std::vector<Effect> effects_of(const Solution& s, const Friction& f, Tier tier) 
       {EffectKind::roughness_and_contact, has.contact || has.flow_factors,
        sigma > 0.0 ? s.film.least.h / sigma : INFINITY},
       {EffectKind::turbulence, false, film.reynolds / film.limit},
-      {EffectKind::film_inertia, false, reduced_reynolds(m, film)},
+      {EffectKind::film_inertia, false, reduced_reynolds(m.input, film)},
       {EffectKind::inertia_of_fed_oil, false, fed_flow(s.point.scene, s.film).part},
   };
 }

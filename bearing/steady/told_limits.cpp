@@ -28,7 +28,7 @@ void add_range_warnings(const Solution& s, std::vector<Note>& warnings) {
   for (Note& w : range_warnings(s.model, reach)) warnings.push_back(std::move(w));
   const Field& T = s.film.columns.T_mean;
   const double mean = std::accumulate(T.begin(), T.end(), 0.0) / static_cast<double>(T.size());
-  add_turbulence(s.model, s.point.scene.speed, mean, warnings);
+  add_turbulence(s.model.input, s.point.scene.speed, mean, warnings);
   add_fed_flow(fed_flow(s.point.scene, s.film), warnings);
   const Field stress = friction_of(s.model, s.point, s.film).stress.journal;
   add_sheared_oil(sheared_oil(s.model.domain.grid, s.film.film.p, stress), warnings);

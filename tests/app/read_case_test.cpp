@@ -65,13 +65,17 @@ TEST_CASE("ValuesArriveInSI") {
 
 TEST_CASE("DefaultsGoOnRecord") {
   const auto c = read_case_text(kSampleCase, "case.toml");
-  for (const char* part : {"200 x 25", "20 degC", "1 mm", "carry_over = 1", "flooded", "smooth",
-                           "270 deg", "cavitate at ambient", "50 W/(m2 K)"}) {
+  for (const char* part : {"200 x 25", "20 degC", "1 mm", "carry_over = 1", "smooth", "270 deg",
+                           "cavitate at ambient", "50 W/(m2 K)"}) {
     INFO(part);
     CHECK(holds(c.assumptions, part));
   }
   CHECK(c.model.grid == std::array<int, 2>{200, 25});
   CHECK(c.supplies[0].depth == near(1e-3));
+  // Nothing draws oil in at the edges of a film that cavitates at their pressure.
+  CHECK_FALSE(holds(c.assumptions, "flooded"));
+  const auto below = read_sample("[model]", "[model]\ncavitation_pressure = \"-0.5 bar\"");
+  CHECK(holds(below.assumptions, "flooded"));
 }
 
 TEST_CASE("WhatIsGivenIsNoAssumption") {

@@ -328,7 +328,7 @@ TEST_CASE("WhereABoreIsNotRoundTheOrbitLiesInItsRoom") {
                                      app::print_theme());
   const std::string text = svg.document("orbit");
   CHECK(test::unbalanced_tag(text) == "");
-  CHECK_FALSE(contains(text, "the circle is the clearance"));
+  CHECK_FALSE(contains(text, "the circle is the cold clearance"));
   const auto room = longest_line(text);  // of more points than the path
   REQUIRE(room.size() > 300);
   for (const auto& p : room) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/between.hpp"
 #include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "core/make_grid.hpp"
@@ -215,6 +216,40 @@ TEST_CASE("CellsGrowFromTheRowsOfAHoleAlsoUpToAnEdgeNearBy") {
     }
     CHECK(row > 0.0);
   }
+}
+
+TEST_CASE("CellsBetweenTwoRowsOfHolesGrowAsThoseBeyond") {
+  // Two rows of holes of 0.5 mm at 6 mm on both sides of mid-width: the way between them was cut as
+  // if it were a hole, with cells of up to seven times a hole's row beside that.
+  GridEdges edges;
+  for (const double middle : {-6e-3, 6e-3}) {
+    for (const double side : {-0.25e-3, 0.25e-3}) {
+      GridEdge e(middle + side, middle < 0.0 ? 0 : 1);
+      e.beside = 0.5e-3;
+      edges.push_back(e);
+    }
+  }
+  for (const int nz : {32, 40}) {
+    const FilmGrid g = make_grid(0.025, 0.02, 200, nz, true, {}, edges, 0.0);
+    int at = 0;
+    while (g.z_face[at + 1] < 5.75e-3 * (1.0 - 1e-9)) ++at;  // the last cell before the hole
+    INFO(nz << ": " << 1e3 * g.dz[at] << " mm beside " << 1e3 * g.dz[at + 1]);
+    CHECK(g.dz[at] <= 1.5 * g.dz[at + 1] * (1.0 + 1e-9));
+  }
+}
+
+TEST_CASE("PlacesAroundLieBetweenTheirNeighboursWhateverTheBranch") {
+  const std::vector<double> angles{0.1, 1.0, 4.0};
+  for (int k = 0; k < 20000; ++k) {
+    const double x = 0.1 + 2.0 * kPi * (k % 7 - 3) + 1e-16 * k;  // by a digit beside the first
+    const Between at = between_around(angles, x);
+    CHECK((at.left >= 0 && at.left < 3 && at.right >= 0 && at.right < 3));
+    CHECK((at.weight >= 0.0 && at.weight <= 1.0 + 1e-12));
+  }
+  const Between seam = between_around(angles, -1.0);  // between 4 and 0.1 + 2 pi
+  CHECK(seam.left == 2);
+  CHECK(seam.right == 0);
+  CHECK(seam.weight == Approx((2.0 * kPi - 1.0 - 4.0) / (0.1 + 2.0 * kPi - 4.0)));
 }
 
 TEST_CASE("HolesBesideMidWidthHaveAsManyRowsAsOneOnIt") {

@@ -9,6 +9,7 @@
 #include "fidelity/held_film.hpp"
 #include "fidelity/quantities.hpp"
 #include "fidelity/solve_case.hpp"
+#include "fidelity/tolerance.hpp"
 #include "tests/bearing/sample_bearing.hpp"
 
 namespace shellback::fidelity {
@@ -58,16 +59,40 @@ TEST_CASE("ValueOfTheFineGridAndTheLimitAreFound") {
 }
 
 TEST_CASE("HeldFilmOnItsOwnGridIsTheSolution") {
+  for (const AcrossFilm across : {AcrossFilm::lobatto, AcrossFilm::layers, AcrossFilm::mean}) {
+    Case c = warm_case();
+    c.model.tier = Tier::tehd;
+    c.model.methods.across = across;
+    const Solution s = solve_tier(c, Tier::tehd);
+    REQUIRE(s.verdict.good());
+    const Solution f = held_film(s, c.model.grid, {s.model.physics});
+    REQUIRE(f.verdict.good());
+    // To the tolerance of the thermal loop, which leaves the last change of temperature open.
+    CHECK(f.film.least.h == Approx(s.film.least.h).epsilon(1e-4));
+    CHECK(friction_of(f.model, f.point, f.film).viscous ==
+          Approx(friction_of(s.model, s.point, s.film).viscous).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("TiersWithAHeatBalanceSayThatHeatingIsIn") {
   Case c = warm_case();
-  c.model.tier = Tier::tehd;
-  const Solution s = solve_tier(c, Tier::tehd);
-  REQUIRE(s.verdict.good());
-  const Solution f = held_film(s, c.model.grid, {s.model.physics});
-  REQUIRE(f.verdict.good());
-  // To the tolerance of the thermal loop, which leaves the last change of temperature open.
-  CHECK(f.film.least.h == Approx(s.film.least.h).epsilon(1e-4));
-  CHECK(friction_of(f.model, f.point, f.film).viscous ==
-        Approx(friction_of(s.model, s.point, s.film).viscous).epsilon(1e-4));
+  for (const Tier tier : {Tier::isothermal, Tier::lumped, Tier::thd}) {
+    c.model.tier = tier;
+    const Result r = bearing::summarize(solve_tier(c, tier), tier);
+    CHECK(effect(r, EffectKind::heating).included == (tier != Tier::isothermal));
+  }
+}
+
+TEST_CASE("OfAFilmThatIsNotLaminarNoToleranceIsMet") {
+  Case c = automatic(warm_case(), 0.05);
+  c.bearing.radial_clearance = 400e-6;
+  c.operation.omega = 20000.0 * kRpm;
+  const Result r = solve_case(c);
+  REQUIRE(r.verdict.good());
+  CHECK_FALSE(is_laminar(r));
+  REQUIRE(r.choice);
+  CHECK_FALSE(r.choice->met);
+  CHECK_FALSE(shortfall(r, 0.05).met);
 }
 
 TEST_CASE("AutoIsWithinToleranceOfAFineSolution") {

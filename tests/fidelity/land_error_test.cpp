@@ -100,3 +100,35 @@ TEST_CASE("BarsOfShortPadsHoldWhatFineGridsGive", "[land_error]") {
     }
   }
 }
+
+TEST_CASE("BarsHoldWhereAllGridsCutTheLandsAlike", "[land_error]") {
+  // Two grooves of 60 of 80 mm, fed at 0.2 bar: 40 x 7, 60 x 9 and 80 x 11 cells all have one on
+  // the land beside them, and told 0.505 +- 0.019 l/min for 0.549.
+  Case c = plain_case();
+  c.bearing = {0.05, 0.08, 75e-6, 293.15, {}};
+  c.operation.omega = 1500.0 * kRpm;
+  c.operation.position = LoadGiven{6e3, 270.0 * kDegree};
+  c.oil.temperature = rheology::ConstantViscosity{0.0276};
+  Supply groove = c.supplies[0];
+  groove.arc = 20.0 * kDegree;
+  groove.length = 0.06;
+  groove.pressure = 0.2e5;
+  groove.angle = 0.0;
+  c.supplies = {groove, groove};
+  c.supplies[1].angle = kPi;
+  c.model.edges = Edges::dry;
+  c.model.grid = {320, 44};
+  const Result fine = fidelity::solve(c);
+  REQUIRE(fine.verdict.good());
+  for (const std::array<int, 2> cells : {std::array{70, 10}, {80, 11}, {100, 13}}) {
+    c.model.grid = cells;
+    const Result own = fidelity::solve(c);
+    REQUIRE(own.verdict.good());
+    for (const char* name : {"friction_torque", "h_min", "p_max", "side_flow"}) {
+      const Quantity* q = quantity_in(own.quantities, name);
+      INFO(cells[1] << " along, " << name << ": " << q->value << " +- " << q->error_grid
+                    << ", fine " << fine.value(name));
+      CHECK(std::abs(q->value - fine.value(name)) < q->error_grid);
+    }
+  }
+}

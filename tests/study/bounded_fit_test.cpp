@@ -312,3 +312,12 @@ TEST_CASE("AFitThatLosesItsSlopesGivesTheBestThatItFound", "[bounded_fit]") {
   for (const double v : *again) chi2 += v * v;
   CHECK(chi2 == Approx(fit.chi2).epsilon(1e-12));
 }
+
+TEST_CASE("AKeyWithoutEffectTakesNothingFromAnother", "[bounded_fit]") {
+  const Fit alone = fit_bounded(decay(0.02, 5));
+  FitProblem p = decay(0.02, 5);
+  p.parameters.push_back({0.5, 0.0, 1.0});  // of no effect
+  const Fit fit = fit_bounded(p);
+  CHECK_FALSE(fit.determined());
+  for (const int k : {0, 1}) CHECK(fit.deviation[k] == Approx(alone.deviation[k]).epsilon(1e-6));
+}

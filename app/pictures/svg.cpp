@@ -164,11 +164,27 @@ std::string Svg::document(const std::string& label) const {
       coordinate(width_), coordinate(height_), escape_markup(label), kFont, body_);
 }
 
+namespace {
+
+constexpr double kLetter = 0.58;  ///< mean width of a letter over its size [-]
+
+bool begins_letter(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
+
+}  // namespace
+
 double text_width(std::string_view words, double size) {
-  const auto letters = std::count_if(words.begin(), words.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U;  // bytes that begin a letter
-  });
-  return 0.58 * size * static_cast<double>(letters);
+  return kLetter * size *
+         static_cast<double>(std::count_if(words.begin(), words.end(), begins_letter));
+}
+
+std::string fitted_to(std::string_view words, double size, double width) {
+  const auto most = static_cast<long>(width / (kLetter * size));
+  long letters = 0;
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (!begins_letter(words[k]) || ++letters < most || text_width(words, size) <= width) continue;
+    return std::string(words.substr(0, k)) + "…";
+  }
+  return std::string(words);
 }
 
 }  // namespace shellback::app

@@ -93,6 +93,7 @@ class Svg {
   [[nodiscard]] std::string inline_element(const std::string& label) const;
   /// A complete SVG file.
   [[nodiscard]] std::string document(const std::string& label) const;
+  [[nodiscard]] double width() const { return width_; }  ///< of the sheet [px]
 
  private:
   double width_;
@@ -102,5 +103,8 @@ class Svg {
 
 /// Width of a line of text [px], from mean letter widths: exact enough to keep labels apart.
 [[nodiscard]] double text_width(std::string_view words, double size);
+
+/// `words`, cut where a line of `width` [px] ends, with an ellipsis then.
+[[nodiscard]] std::string fitted_to(std::string_view words, double size, double width);
 
 }  // namespace shellback::app

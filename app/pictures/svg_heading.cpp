@@ -13,9 +13,13 @@ constexpr double kChangeText = 11.5;   ///< [px]
 
 /// Scene and changes, the first line at y [px].
 void draw_lines_of_scene(Svg& svg, const bearing::Case& c, double y, const Theme& theme) {
-  svg.text({kHeadingLeft, y}, describe_case(c, Writing::typeset), {theme.muted, kSceneText});
+  const auto line = [&](double at, const std::string& words, double size) {
+    svg.text({kHeadingLeft, at}, fitted_to(words, size, svg.width() - 2.0 * kHeadingLeft),
+             {theme.muted, size});
+  };
+  line(y, describe_case(c, Writing::typeset), kSceneText);
   if (const std::string changes = describe_changes(c); !changes.empty()) {
-    svg.text({kHeadingLeft, y + 17.0}, changes, {theme.muted, kChangeText});
+    line(y + 17.0, changes, kChangeText);
   }
 }
 

@@ -181,11 +181,14 @@ std::string identify_svg(const IdentifyView& v) {
   svg.rect({0.0, 0.0, kIdentifyWidth, kHead + panels * kPanel + 20.0}, theme.paper);
   svg.text({24.0, 36.0}, v.subject.title, {theme.ink, 20.0, Anchor::start, true});
   const std::string changes = describe_changes(v.subject);
-  svg.text({24.0, 58.0},
-           fmt::format("Identified in tier {} from {} values; measured points, lines computed{}{}",
-                       to_string(v.subject.model.tier), v.end.values_used(v.table.points),
-                       changes.empty() ? "" : "; ", changes),
-           {theme.muted, 12.5});
+  svg.text(
+      {24.0, 58.0},
+      fitted_to(
+          fmt::format("Identified in tier {} from {} values; measured points, lines computed{}{}",
+                      to_string(v.subject.model.tier), v.end.values_used(v.table.points),
+                      changes.empty() ? "" : "; ", changes),
+          12.5, kIdentifyWidth - 48.0),
+      {theme.muted, 12.5});
   const bool sound = complaints(v).empty();
   svg.text({24.0, 80.0}, found_words(v) + (sound ? "" : "  (not to be believed, see the table)"),
            {sound ? theme.ink : theme.more, 12.5});

@@ -70,7 +70,7 @@ std::string sweep_svg(const std::string& text, const bearing::Case& subject, con
   }
   svg.text({24.0, 58.0}, words, {theme.muted, 12.5});
   if (const std::string changes = describe_changes(subject); !changes.empty()) {
-    svg.text({24.0, 75.0}, changes, {theme.muted, 11.5});
+    svg.text({24.0, 75.0}, fitted_to(changes, 11.5, kSweepWidth - 48.0), {theme.muted, 11.5});
   }
   if (sweep.count_good() < static_cast<int>(sweep.points.size())) {
     svg.text({kSweepWidth - 24.0, 36.0},

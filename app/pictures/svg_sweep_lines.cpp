@@ -69,10 +69,17 @@ class Panels {
 
   void legend(Point at) {
     if (lines_.size() < 2) return;
+    constexpr double kMark = 30.0, kBetween = 22.0, kSize = 12.0;  // [px]
+    const double each = (svg_.width() - 24.0 - at.x) / static_cast<double>(lines_.size());
+    double all = 0.0;
+    for (const SweepLine& line : lines_) all += kMark + text_width(line.label, kSize) + kBetween;
+    const bool fits = at.x + all < svg_.width();
     for (std::size_t k = 0; k < lines_.size(); ++k) {
+      const std::string& whole = lines_[k].label;
+      const std::string label = fits ? whole : fitted_to(whole, kSize, each - kMark - kBetween);
       svg_.line({at.x, at.y - 4.0}, {at.x + 24.0, at.y - 4.0}, {colour(k), 2.4, ""});
-      svg_.text({at.x + 30.0, at.y}, lines_[k].label, {theme_.ink, 12.0});
-      at.x += 30.0 + text_width(lines_[k].label, 12.0) + 22.0;
+      svg_.text({at.x + kMark, at.y}, label, {theme_.ink, kSize});
+      at.x += kMark + text_width(label, kSize) + kBetween;
     }
   }
 

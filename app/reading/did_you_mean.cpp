@@ -14,6 +14,26 @@ char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned 
 /// Edits that a word of this length may contain and still be recognised: 1 in 3 letters, 3 at most.
 int allowed_edits(std::size_t length) { return std::min(3, static_cast<int>(length) / 3); }
 
+/// What stands behind the last '_'.
+std::string_view last_part(std::string_view word) {
+  const auto at = word.rfind('_');
+  return at == std::string_view::npos ? word : word.substr(at + 1);
+}
+
+/// The one known word that ends as this one does; none, or several: "".
+std::string with_same_end(std::string_view word, const std::vector<std::string>& known) {
+  constexpr std::size_t kSays = 5;  // letters that say something
+  const std::string_view end = last_part(word);
+  std::string found;
+  if (end.size() < kSays) return found;
+  for (const std::string& candidate : known) {
+    if (last_part(candidate) != end) continue;
+    if (!found.empty()) return "";
+    found = candidate;
+  }
+  return found;
+}
+
 }  // namespace
 
 int edit_distance(std::string_view a, std::string_view b) {
@@ -43,7 +63,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& known
       best = candidate;
     }
   }
-  return best;
+  return best.empty() ? with_same_end(word, known) : best;
 }
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {

@@ -10,7 +10,8 @@ namespace shellback::app {
 /// (optimal string alignment, textbook). A change of case alone counts as no edit.
 [[nodiscard]] int edit_distance(std::string_view a, std::string_view b);
 
-/// The word of `known` nearest to `word` if it is near enough to be meant, else "".
+/// The word of `known` nearest to `word` if it is near enough to be meant, or the only one with the
+/// same last part (clearance, radial_clearance), else "".
 [[nodiscard]] std::string nearest(std::string_view word, const std::vector<std::string>& known);
 
 /// `; did you mean "x"?` if there is a near word, else "".

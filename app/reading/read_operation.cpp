@@ -29,7 +29,9 @@ std::variant<LoadGiven, EccentricityGiven> read_position(const Section& section)
                  "\"8 kN\"");
   }
   if (load) {
-    return LoadGiven{section.quantity("load", kForce, kPositive), load_angle(section)};
+    Range loaded = kPositive;
+    loaded.words = "be positive; a journal without load has eccentricity_ratio = 0";
+    return LoadGiven{section.quantity("load", kForce, loaded), load_angle(section)};
   }
   EccentricityGiven given;
   given.ratio = section.quantity("eccentricity_ratio", kNumber.such_as("0.6"),

@@ -17,6 +17,8 @@ TEST_CASE("AMisspeltKeyIsRefusedWithTheRightOne") {
                 {"case.toml:15:2", "unknown key \"operations\"", "\"operation\""});
   check_refused("pressure = \"2 bar\"", "presure = \"2 bar\"",
                 {"case.toml:12:1", "did you mean \"pressure\"?"});
+  check_refused("radial_clearance =", "diametral_clearance =",
+                {"case.toml:6:1", "did you mean \"radial_clearance\"?"});
   check_refused("back = {", "back = { alpha = 3,", {"case.toml:31:10", "unknown key \"alpha\""});
   check_refused("r = 0.5", "R = 0.5", {"case.toml:25:36", "unknown key \"R\""});
 }

@@ -282,3 +282,15 @@ TEST_CASE("MidWidthLineIsInterpolatedToThePlaneOfSymmetry") {
     for (int i = 0; i < grid.nt; ++i) CHECK(line.y[i] == Approx(i).margin(1e-12));
   }
 }
+
+TEST_CASE("LongLinesEndWithAnEllipsisWithinTheirWidth", "[svg]") {
+  const std::string words = "shell.layers = [{ material = \"AlSn20\", thickness = \"0,3 µm\" }]";
+  CHECK(app::fitted_to(words, 12.0, 2000.0) == words);
+  for (const double width : {60.0, 200.0, 300.0}) {
+    const std::string cut = app::fitted_to(words, 12.0, width);
+    CHECK(app::text_width(cut, 12.0) <= width);
+    CHECK(app::text_width(cut, 12.0) > width - 2.0 * app::text_width("w", 12.0));
+    CHECK(cut.ends_with("…"));
+    CHECK(words.starts_with(cut.substr(0, cut.size() - 3)));  // no letter is cut in two
+  }
+}

@@ -9,8 +9,8 @@
 namespace shellback::app {
 
 bool KnownAtEnds::met() const {
-  return std::all_of(parts.begin(), parts.end(),
-                     [&](const Part& part) { return part.bar <= asked; });
+  return laminar && std::all_of(parts.begin(), parts.end(),
+                                [&](const Part& part) { return part.bar <= asked; });
 }
 
 std::vector<std::string> KnownAtEnds::words() const {
@@ -22,6 +22,7 @@ std::vector<std::string> KnownAtEnds::words() const {
                           figures(100.0 * part.bar, 2), part.known ? "" : " at least",
                           part.by_steps ? " (most of it the steps in time)" : "");
   }
+  if (!laminar) missed += std::string(missed.empty() ? "" : ", ") + "the film is not laminar";
   std::vector<std::string> all;
   if (!missed.empty()) {
     all.push_back(

@@ -61,6 +61,7 @@ struct KnownAtEnds {
   double asked = 0.0;       ///< model.tolerance [-]
   std::vector<Part> parts;  ///< empty: no bars are known
   bool all = true;          ///< those of all that is wished for are known
+  bool laminar = true;      ///< false: bars are of a laminar film, which this one is not
   [[nodiscard]] bool met() const;
   /// "model.tolerance (1 %) is not met at the end: friction torque +-2.1 %"; empty: it is.
   [[nodiscard]] std::vector<std::string> words() const;

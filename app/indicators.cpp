@@ -77,6 +77,7 @@ void add_solid(const Case& subject, const Derived& d, std::vector<Indicator>& li
               is_elastic(subject) ? "elastic deformation matters; the tier has it"
                                   : "take the tier tehd, or switch elastic_deformation on"}));
   }
+  if (!subject.shaft) return;  // how they differ is not known
   list.push_back(make("thermal deformation", "alpha (T - T_ref) R/c",
                       fidelity::thermal_opening(subject, d.T), {0.02, 0.05},
                       {"the clearance stays", "the clearance changes a little",

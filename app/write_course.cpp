@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -19,6 +20,7 @@
 #include "app/write_json.hpp"
 #include "core/constants.hpp"
 #include "core/round_off.hpp"
+#include "fidelity/tolerance.hpp"
 
 namespace shellback::app {
 namespace {
@@ -28,6 +30,12 @@ using bearing::Instant;
 using bearing::Stretch;
 using fidelity::MarchBars;
 using Json = nlohmann::ordered_json;
+
+KnownAtEnds known(const bearing::Case& c, const CourseRun& run, const MarchBars& bars) {
+  KnownAtEnds of = known_of_march(c, run.instants, bars, run.ends);
+  of.laminar = std::all_of(run.warnings.begin(), run.warnings.end(), fidelity::is_laminar);
+  return of;
+}
 
 constexpr double kMinute = 60.0;  ///< [s]
 
@@ -190,7 +198,7 @@ std::vector<std::string> course_warnings(const std::vector<Stretch>& stretches,
     for (std::string& words : heat_words(run.imbalance_at_ends())) all.push_back(std::move(words));
   }
   if (!run.end.verdict.good()) return all;
-  for (std::string& words : known_of_march(c, run.instants, bars, run.ends).words()) {
+  for (std::string& words : known(c, run, bars).words()) {
     all.push_back(std::move(words));
   }
   return all;
@@ -241,7 +249,7 @@ std::string course_json(const std::vector<Stretch>& stretches,
   if (!run.end.verdict.good()) json["end"] = end_json(run.end, bars);
   json["audit"] = {{"energy", run.imbalance_at_ends()}};
   if (run.end.verdict.good()) {
-    json["tolerance"] = known_of_march(c, run.instants, bars, run.ends).json();
+    json["tolerance"] = known(c, run, bars).json();
   }
   json["warnings"] = course_warnings(stretches, run, bars);
   json["assumptions"] = c.assumptions;

@@ -15,6 +15,7 @@
 #include "app/write_instants.hpp"
 #include "app/write_json.hpp"
 #include "core/constants.hpp"
+#include "fidelity/tolerance.hpp"
 
 namespace shellback::app {
 namespace {
@@ -87,7 +88,9 @@ class Panel {
 
 KnownAtEnds known(const bearing::Case& c, const WarmUp& run, const MarchBars& bars) {
   if (!run.end.verdict.good() || run.instants.empty()) return {c.model.tolerance, {}, false};
-  return known_of_march(c, run.instants, bars, {run.instants.size() - 1});
+  KnownAtEnds known = known_of_march(c, run.instants, bars, {run.instants.size() - 1});
+  known.laminar = fidelity::is_laminar(run.end.warnings);
+  return known;
 }
 
 std::string how_it_ended(const WarmUp& run, const MarchBars& bars) {

@@ -72,11 +72,7 @@ void add_factors(const BearingModel& m, const Field& h, std::vector<Note>& out) 
 
 void add_contact(const BearingModel& m, const FilmReach& reach, std::vector<Note>& out) {
   const Field& h = reach.h;
-  constexpr double kTouching = 3.0;  // film over roughness: mixed lubrication below it (textbook)
-  const double sigma = combined_roughness(m.input.surfaces);
-  if (!m.contact && !m.input.surfaces.contact && reach.h_min < kTouching * sigma) {
-    out.push_back(note::ContactLeftOut{reach.h_min / sigma});
-  }
+  add_contact_left_out(m.input, reach.h_min, out);
   const fluid::SmallestGap& least = reach.least;
   if (const long cells = cells_beyond_law(m, h); cells > 0) {
     out.push_back(note::BeyondContactLaw{cells, least.h, m.contact->sigma(), m.contact->least_gap(),
@@ -198,6 +194,13 @@ note::NotLaminar reynolds_number(const Case& c, double U, double T) {
 
 double reduced_reynolds(const Case& c, const note::NotLaminar& film) {
   return film.reynolds * c.bearing.radial_clearance / c.bearing.radius;
+}
+
+void add_contact_left_out(const Case& c, double h_min, std::vector<Note>& notes) {
+  constexpr double kTouching = 3.0;  // film over roughness: mixed lubrication below it (textbook)
+  const double sigma = combined_roughness(c.surfaces);
+  if (c.surfaces.contact || !(h_min < kTouching * sigma)) return;
+  notes.push_back(note::ContactLeftOut{h_min / sigma});
 }
 
 void add_turbulence(const Case& c, double U, double T, std::vector<Note>& notes) {

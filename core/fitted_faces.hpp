@@ -19,8 +19,8 @@ using GridEdges = std::vector<GridEdge>;
 
 /// Faces [unit of the edges, sorted] of `n` cells from the first to the last edge, one on each
 /// edge, as even as can be but for at least `rows` cells in a hole (`cut` in one that mid-width
-/// cuts, whose edges are the first two) and beside it what grows from them by a half at most.
-/// Throws InputError if there are more segments than cells.
+/// cuts, whose edges are the first two) and beside it, where there are cells for it, what grows
+/// from them by a half at most. Throws InputError if there are more segments than cells.
 [[nodiscard]] std::vector<double> fitted_faces(const GridEdges& edges, int n, int rows = 1,
                                                int cut = 1);
 

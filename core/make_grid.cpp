@@ -115,6 +115,16 @@ int cut_strip(const GridEdge& e, const GridEdges& all) {
   return cut ? e.strip : -1;
 }
 
+/// The strip of the edge next to mid-width, of `outwards` from there, if mid-width cuts it; else
+/// -1.
+int strip_of_middle(const GridEdges& outwards, const GridEdges& all) {
+  if (outwards.empty()) return -1;
+  const auto low = std::find_if(all.begin(), all.end(), [&](const GridEdge& e) {
+    return e.at < 0.0 && e.strip == outwards.front().strip;
+  });
+  return low != all.end() ? cut_strip(*low, all) : -1;
+}
+
 /// Adds the edges that yield where no other is near, if there are cells for all of them.
 void append_yielding(GridEdges& edges, const GridEdges& yielding, int full_nz, bool half) {
   const int cells = half ? (full_nz + 1) / 2 : full_nz;
@@ -134,11 +144,9 @@ void append_yielding(GridEdges& edges, const GridEdges& yielding, int full_nz, b
 /// ones.
 GridEdges axial_edges(double end, int full_nz, bool half, const GridEdges& z_edges) {
   GridEdges edges, lands, yielding;
-  GridEdge middle(0.0);  // of the strip that mid-width cuts, if one does
   for (const GridEdge& e : z_edges) {
     const double place = half ? std::abs(e.at) : e.at;
     const bool in_middle = half && place <= 2e-12 * end;
-    if (half && e.at < 0.0) middle.strip = std::max(middle.strip, cut_strip(e, z_edges));
     const bool within = !in_middle && std::abs(e.at) < end * (1.0 - 1e-12);
     if (!within || (half && e.yields && e.at < 0.0)) continue;  // its image yields, too
     GridEdge scaled(place / end, e.strip);
@@ -146,6 +154,7 @@ GridEdges axial_edges(double end, int full_nz, bool half, const GridEdges& z_edg
     (e.yields ? yielding : edges).push_back(scaled);
   }
   sort_by_place(edges);
+  const GridEdge middle(0.0, strip_of_middle(edges, z_edges));
   const double cell = 2.0 / full_nz;
   // no face lies at mid-width of an odd half: its first edge has nothing to merge with
   GridEdges merged{half && full_nz % 2 == 0 ? middle : GridEdge(-1.0)};
@@ -175,9 +184,7 @@ std::vector<double> graded_faces(double end, int full_nz, bool half, const GridE
   const int nz = half ? (full_nz + 1) / 2 : full_nz;
   const bool split = half && full_nz % 2 == 1;
   GridEdge from(half ? 0.0 : -1.0);
-  for (const GridEdge& e : z_edges) {
-    if (half && e.at < 0.0) from.strip = std::max(from.strip, cut_strip(e, z_edges));
-  }
+  if (half) from.strip = strip_of_middle(edges, z_edges);
   std::vector<double> face =
       split ? odd_half_faces(nz, 1.0, edges)
             : axial_faces(nz, from, 1.0, edges, rows, half ? (rows + 1) / 2 : rows);

@@ -18,9 +18,9 @@ inline constexpr double kEdgeGrading = 2.0;
 /// cells of its own. An axial edge that yields is left out where another, or mid-width, is nearer
 /// than a fifth of an even cell and of its distance to the end, and where cells are too few; so are
 /// edges of strips nearer to the end than that. A hole gets up to four rows of cells,
-/// one for each eight along the bearing; cells beside it begin as wide and grow by a half at most.
-/// With `half`, only |z_edges| on z >= 0 is used. Throws InputError if there are more edges than
-/// cells.
+/// one for each eight along the bearing; cells beside it begin as wide and, where there are cells
+/// for it, grow by a half at most. With `half`, only |z_edges| on z >= 0 is used. Throws InputError
+/// if there are more edges than cells.
 [[nodiscard]] FilmGrid make_grid(double radius, double width, int nt, int full_nz, bool half,
                                  const GridEdges& phi_edges = {}, const GridEdges& z_edges = {},
                                  double grading = 0.0);

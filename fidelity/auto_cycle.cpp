@@ -81,6 +81,7 @@ class CycleTierSearch {
     const FrictionAndFilm bars =
         both(r, [](const CycleQuantity& q) { return over_value(q.quantity.error(), q); });
     if (!r.verdict.good() || bars.larger() > case_.model.tolerance) return {};
+    if (!is_laminar(r.warnings)) return {};
     r.choice = AutoChoice{case_.model.tolerance, true, bars.friction, bars.h_min, {"estimate"}};
     return r;
   }
@@ -202,8 +203,8 @@ class CycleTierSearch {
     if (stopped(control_)) r.verdict = {Status::interrupted};
     const FrictionAndFilm known = bars_of(r);
     if (r.verdict.good()) {
-      r.choice = AutoChoice{case_.model.tolerance, known.larger() <= case_.model.tolerance,
-                            known.friction, known.h_min, solved_};
+      const bool met = known.larger() <= case_.model.tolerance && is_laminar(r.warnings);
+      r.choice = AutoChoice{case_.model.tolerance, met, known.friction, known.h_min, solved_};
     }
     if (stopped(control_) && !chosen_) return r;
     for (CycleQuantity& q : r.quantities) {
@@ -220,9 +221,11 @@ class CycleTierSearch {
       r.warnings.push_back(unjudged_.front());
     } else if (r.verdict.good() && !r.choice->met) {
       using Why = note::ToleranceNotMet::Why;
+      const Why why = !is_laminar(r.warnings)  ? Why::not_laminar
+                      : case_.model.grid_given ? Why::grid_given
+                                               : Why::cycle_grid;
       r.warnings.push_back(
-          note::ToleranceNotMet{case_.model.tolerance, known.friction, known.h_min,
-                                case_.model.grid_given ? Why::grid_given : Why::cycle_grid, true});
+          note::ToleranceNotMet{case_.model.tolerance, known.friction, known.h_min, why, true});
     }
     return r;
   }

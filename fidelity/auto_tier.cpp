@@ -302,7 +302,7 @@ class TierSearch {
     r.cost.factorizations = cost_.factorizations;
     r.cost.newton_iterations = cost_.newton_iterations;
     r.cost.setup_s = setup_s_;
-    const bool laminar = is_laminar(r);
+    const bool laminar = is_laminar(r.warnings);
     r.choice = AutoChoice{tolerance(), laminar && bars.within(tolerance()), bars.friction,
                           bars.h_min, solved_};
     if (!nodes_.known) {

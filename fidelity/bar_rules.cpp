@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/constants.hpp"
 #include "fidelity/light_contact.hpp"
 
 namespace shellback::fidelity {
@@ -19,6 +20,33 @@ void share_bars_of_coefficients(const Judged& judged) {
   for (const auto& [q, size] : judged) {
     if (!is_of_motion(*q)) continue;
     if (std::isfinite(q->error_grid)) q->error_grid = std::max(q->error_grid, longest * size);
+  }
+}
+
+void share_bars_of_place_and_flow(const Case& c, Result& result) {
+  constexpr double kOfFlow = 0.5;
+  const auto known = [&](const char* name) { return quantity_in(result.quantities, name); };
+  const auto bar = [&](const char* name) {
+    const Quantity* q = known(name);
+    return q != nullptr && std::isfinite(q->error_grid) ? q->error_grid : 0.0;
+  };
+  const auto relative = [&](const char* name) {
+    const Quantity* q = known(name);
+    return q != nullptr && q->value != 0.0 ? std::min(bar(name) / std::abs(q->value), 1.0) : 0.0;
+  };
+  const double place = relative("eccentricity_ratio") * 180.0 / kPi;  // [deg]
+  const Quantity* film = known("T_film_mean");
+  const double rise = film ? std::abs(film->value - mean_supply_temperature(c)) : 0.0;
+  const double mixed = kOfFlow * relative("side_flow") * rise;
+  const double opening = c.shaft ? c.shaft->material.expansion * c.bearing.radius *
+                                       std::max(bar("T_shaft"), bar("T_shell_back"))
+                                 : 0.0;
+  for (Quantity& q : result.quantities) {
+    const double least = q.name == "attitude_angle"         ? place
+                         : q.name == "T_supply_mixed"       ? mixed
+                         : q.name == "thermal_opening_mean" ? opening
+                                                            : 0.0;
+    if (q.error_grid > 0.0 && q.error_grid < least) q.error_grid = least;
   }
 }
 

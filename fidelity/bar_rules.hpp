@@ -16,6 +16,13 @@ using Judged = std::vector<std::pair<Quantity*, double>>;  ///< a quantity and i
 /// shorter, against its size, than the longest; nor has the threshold of whirl that follows.
 void share_bars_of_coefficients(const Judged& judged);
 
+/// Quantities that are differences, or the angle of what another is the length of, on which grids
+/// agree by chance. The journal's place is known alike in both directions: an attitude to e_bar/e
+/// [rad]. The oil mixed in the supplies is film and feed in parts that flows tell: to half of the
+/// side flow's relative bar times the film's rise. Shaft and shell open the gap by a difference: to
+/// alpha R times the longer bar of shaft and shell back. Decision 089.
+void share_bars_of_place_and_flow(const bearing::Case& c, bearing::Result& result);
+
 /// Summits that hardly touch (light_contact.hpp); their friction is part of the whole, which has a
 /// bar.
 void widen_bars_of_light_contact(const bearing::BearingModel& m, bearing::Result& result);

@@ -213,6 +213,13 @@ CycleResult estimate_cycle(const Case& c, const SolveControl& control) {
     r.instants = path.instants();
     const double p_max = extreme(path.instants(), &CycleInstant::p_max, Extreme::largest).p_max;
     for (Note& w : oil_range_warnings(c.oil, T, T, p_max)) r.warnings.push_back(std::move(w));
+    const auto [back, forth] = std::minmax_element(
+        r.instants.begin(), r.instants.end(),
+        [](const CycleInstant& a, const CycleInstant& b) { return a.omega < b.omega; });
+    const double fastest = std::max(std::abs(back->omega), std::abs(forth->omega));
+    add_turbulence(c, fastest * c.bearing.radius, T, r.warnings);
+    add_contact_left_out(c, extreme(r.instants, &CycleInstant::h_min, Extreme::smallest).h_min,
+                         r.warnings);
     r.quantities = quantities(path, T);
     put_bars(r.quantities, quantities(rough, T), estimate_bars(c, worst_of(path, c, T)),
              turns_to_and_fro(path), path.closure());

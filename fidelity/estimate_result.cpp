@@ -60,6 +60,7 @@ Result estimate_result(const Case& c) {
   }
   for (Note& w : oil_range_warnings(c.oil, e.T, e.T, e.p_max)) r.warnings.push_back(std::move(w));
   add_turbulence(c, c.operation.omega * c.bearing.radius, e.T, r.warnings);
+  add_contact_left_out(c, e.h_min, r.warnings);
   r.quantities = quantities(c, e, bars);
   r.effects = bars.effects;
   return r;

@@ -12,11 +12,12 @@ namespace shellback::fidelity {
 
 namespace {
 
-constexpr double kPad = 20.0;       // (1)
-constexpr double kSide = 0.1;       // (2)
-constexpr double kHole = 0.2;       // (3)
-constexpr double kPast = 0.1;       // (4)
-constexpr double kPastHeat = 0.04;  // (4)
+constexpr double kPad = 20.0;        // (1)
+constexpr double kSide = 0.1;        // (2)
+constexpr double kHole = 0.2;        // (3)
+constexpr double kPast = 0.1;        // (4)
+constexpr double kPastHeat = 0.04;   // (4)
+constexpr double kPastFilm = 0.012;  // (4)
 
 struct Land {
   int cells = 0;
@@ -71,15 +72,33 @@ int rows_of(const FilmGrid& g, const fluid::SupplyMap& supply, int k) {
   return g.z[0] == 0.0 ? 2 * rows - 1 : 2 * rows;
 }
 
+int cells_of_side_lands(const FilmGrid& g, const fluid::SupplyMap& supply) {
+  int least = 0;
+  const auto meet = [&](int m) {
+    if (m > 0) least = least == 0 ? m : std::min(least, m);
+  };
+  for (int i = 0; i < g.nt; ++i) {
+    meet(cells_to_supply(g, supply, i, g.nz - 1, -1));
+    if (!g.half) meet(cells_to_supply(g, supply, i, 0, 1));
+  }
+  return least;
+}
+
+int rows_of_holes(const FilmGrid& g, const fluid::SupplyMap& supply) {
+  int least = 0;
+  for (std::size_t k = 0; k < supply.patches.size(); ++k) {
+    if (!supply.patches[k].round || supply.patches[k].moving) continue;
+    const int rows = rows_of(g, supply, static_cast<int>(k));
+    if (rows > 0) least = least == 0 ? rows : std::min(least, rows);
+  }
+  return least;
+}
+
 }  // namespace
 
 LandError land_error(const FilmGrid& g, const fluid::SupplyMap& supply) {
   LandError out;
-  for (std::size_t k = 0; k < supply.patches.size(); ++k) {
-    if (!supply.patches[k].round || supply.patches[k].moving) continue;
-    const int rows = rows_of(g, supply, static_cast<int>(k));
-    if (rows > 0) out.holes = std::max(out.holes, kHole / (rows * rows));
-  }
+  if (const int rows = rows_of_holes(g, supply); rows > 0) out.holes = kHole / (rows * rows);
   const double width = g.z_face.back() - g.z_face.front();
   for (int j = 0; j < g.nz; ++j) {
     if (!is_mostly_supply(g, supply, j)) continue;
@@ -105,26 +124,22 @@ LandError land_error(const bearing::Case& c) {
   return land_error(bearing::film_grid(c, c.model.grid), bearing::supply_map(c, c.model.grid));
 }
 
-int cells_of_side_lands(const FilmGrid& g, const fluid::SupplyMap& supply) {
-  int least = 0;
-  const auto meet = [&](int m) {
-    if (m > 0) least = least == 0 ? m : std::min(least, m);
-  };
-  for (int i = 0; i < g.nt; ++i) {
-    meet(cells_to_supply(g, supply, i, g.nz - 1, -1));
-    if (!g.half) meet(cells_to_supply(g, supply, i, 0, 1));
-  }
-  return least;
+CellsOfSupplies cells_of_supplies(const FilmGrid& g, const fluid::SupplyMap& supply) {
+  return {cells_of_side_lands(g, supply), rows_of_holes(g, supply)};
 }
 
-int cells_of_side_lands(const bearing::Case& c, const std::array<int, 2>& cells) {
-  return cells_of_side_lands(bearing::film_grid(c, cells), bearing::supply_map(c, cells));
+CellsOfSupplies cells_of_supplies(const bearing::Case& c, const std::array<int, 2>& cells) {
+  return cells_of_supplies(bearing::film_grid(c, cells), bearing::supply_map(c, cells));
 }
 
-double open_past_lands(int m, bool heated, const std::string& name) {
+double open_past_lands(int m, bool heated, bool torn, const std::string& name) {
   if (m == 0) return 0.0;
   const bool of_heat = heated && (is_friction(name) || is_of_heat(name));
-  return (is_flow(name) ? kPast : of_heat ? kPastHeat : 0.0) / std::pow(m, 1.5);
+  const double part = is_flow(name)               ? kPast
+                      : of_heat                   ? kPastHeat
+                      : is_friction(name) && torn ? kPastFilm
+                                                  : 0.0;
+  return part / std::pow(m, 1.5);
 }
 
 double open_by_lands(const LandError& lands, std::string_view name) {

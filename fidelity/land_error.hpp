@@ -20,7 +20,8 @@
 /// Where all grids of a sequence cut the lands between supplies and side edges into as few cells,
 /// m on the narrowest, what the film beside a groove takes along is known, beside what they tell,
 /// to
-///   past = 0.1 / m^1.5 of flows, 0.04 / m^1.5 of friction and temperatures that heat makes  (4)
+///   past = 0.1 / m^1.5 of flows, 0.04 / m^1.5 of friction and temperatures that heat makes,
+///   0.012 / m^1.5 of friction in a film of one temperature                                   (4)
 /// decision 089.
 #include <string>
 #include <string_view>
@@ -42,13 +43,19 @@ struct LandError {
 /// Of the case on its grid; errors as film_grid() and map_supplies().
 [[nodiscard]] LandError land_error(const bearing::Case& c);
 
-/// Cells of the narrowest land between a supply and a side edge [-]; 0: there is none.
-[[nodiscard]] int cells_of_side_lands(const FilmGrid& grid, const fluid::SupplyMap& supply);
-[[nodiscard]] int cells_of_side_lands(const bearing::Case& c, const std::array<int, 2>& cells);
+/// What a grid gives the supplies at least.
+struct CellsOfSupplies {
+  int lands = 0;  ///< cells of the narrowest land between one and a side edge; 0: there is none
+  int holes = 0;  ///< rows of cells of a hole; 0: there is none
+};
+[[nodiscard]] CellsOfSupplies cells_of_supplies(const FilmGrid& grid,
+                                                const fluid::SupplyMap& supply);
+[[nodiscard]] CellsOfSupplies cells_of_supplies(const bearing::Case& c,
+                                                const std::array<int, 2>& cells);
 
 /// Part of its size that (4) leaves open of the quantity of this name on lands of m cells (0:
-/// none); `heated`: the film has a temperature of its own.
-[[nodiscard]] double open_past_lands(int m, bool heated, const std::string& name);
+/// none); `heated`: the film has a temperature of its own; `torn`: part of it is cavitated.
+[[nodiscard]] double open_past_lands(int m, bool heated, bool torn, const std::string& name);
 
 /// Part of its size that they leave open of the quantity of this name [-].
 [[nodiscard]] double open_by_lands(const LandError& lands, std::string_view name);

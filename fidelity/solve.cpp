@@ -5,6 +5,7 @@
 
 #include "core/contract.hpp"
 #include "core/largest.hpp"
+#include "core/round_off.hpp"
 #include "core/stopwatch.hpp"
 #include "fidelity/bar_rules.hpp"
 #include "fidelity/edge_error.hpp"
@@ -36,13 +37,15 @@ void share_bar_of_heat(const Judged& judged, const Result& result) {
   }
 }
 
-/// Cells of the side lands where all grids of the sequence have as many; else 0.
-int cells_of_all_lands(const Solution& s, const std::vector<LevelRecord>& levels) {
-  const int own = cells_of_side_lands(s.model.domain.grid, s.model.supply);
-  const bool alike = std::all_of(levels.begin(), levels.end(), [&](const LevelRecord& l) {
-    return cells_of_side_lands(s.model.input, l.grid) == own;
-  });
-  return alike ? own : 0;
+/// What all grids of the sequence give the supplies alike; 0 where they do not.
+CellsOfSupplies given_alike(const Solution& s, const std::vector<LevelRecord>& levels) {
+  CellsOfSupplies own = cells_of_supplies(s.model.domain.grid, s.model.supply);
+  for (const LevelRecord& l : levels) {
+    const CellsOfSupplies other = cells_of_supplies(s.model.input, l.grid);
+    if (other.lands != own.lands) own.lands = 0;
+    if (other.holes != own.holes) own.holes = 0;
+  }
+  return own;
 }
 
 /// What two and four more nodes across the film change on the coarse grid, whichever is more: steep
@@ -54,7 +57,7 @@ std::vector<Quantity> change_by_nodes(const Solution& coarse, const SolveControl
   std::optional<Solution> finer = coarse;
   for (int step = 0; step < 2; ++step) {
     finer = with_more_nodes(*finer, control);
-    if (!finer) return out;
+    if (!finer) break;
     const auto moved = change(here, scalars(*finer));
     if (out.empty()) out = moved;
     for (Quantity& q : out) q.value = larger(std::abs(q.value), std::abs(value_in(moved, q.name)));
@@ -69,8 +72,11 @@ void put_grid_bars(const BarRecord& record, Result& result) {
   // Iteration leaves this part of the natural size open: the outer loop ends at changes of 3e-4 of
   // 10 K per step, the viscosity changes by a few per cent per kelvin.
   constexpr double kIteration = 1e-4;  // [-]
+  constexpr double kHolesAlike = 2.0;  // where no grid tells what rows of a hole are worth
   const Case& c = record.coarse->model.input;
   const bool heated = record.coarse->model.physics.film_energy || result.tier == Tier::lumped;
+  const Field& theta = record.coarse->film.film.theta;
+  const bool torn = *std::min_element(theta.begin(), theta.end()) < 1.0 - kRoundOff;
   Judged judged;
   std::vector<BarOfSize> bars;
   for (Quantity& q : result.quantities) {
@@ -89,10 +95,11 @@ void put_grid_bars(const BarRecord& record, Result& result) {
     const GridBar bar = grid_bar(values, cell_size(record.grid));
     const double nodes = std::abs(value_in(record.node_change, q.name));
     q.error_nodes = std::isfinite(nodes) ? nodes : 0.0;
-    q.error_grid = bar.bar + q.error_nodes;
+    q.error_grid = (record.alike.holes > 0 ? kHolesAlike : 1.0) * bar.bar + q.error_nodes;
     if (q.name == "h_min") q.error_grid += record.edge;
     q.error_grid = larger(q.error_grid, open_by_lands(record.lands, q.name) * size);
-    q.error_grid = larger(q.error_grid, open_past_lands(record.land_cells, heated, q.name) * size);
+    q.error_grid =
+        larger(q.error_grid, open_past_lands(record.alike.lands, heated, torn, q.name) * size);
     q.order = bar.order;
     const bool known = q.error_grid < size;  // at all: else it leads anywhere
     q.limit = known ? limit_of(c, q, bar.limit) : NAN;
@@ -102,6 +109,7 @@ void put_grid_bars(const BarRecord& record, Result& result) {
   share_bars(bars);
   share_bars_of_coefficients(judged);
   share_bar_of_heat(judged, result);
+  share_bars_of_place_and_flow(c, result);
 }
 
 /// What the full physics would change on the fine grid: as much as on the coarse one, absolutely
@@ -148,7 +156,7 @@ BarRecord measure_bars(const Solution& s, Tier tier, const SolveControl& control
   record.coarse = std::move(sequence.coarse);
   record.levels = std::move(sequence.levels);
   if (record.coarse && !stopped(control)) {
-    record.land_cells = cells_of_all_lands(own, record.levels);
+    record.alike = given_alike(own, record.levels);
     if (nodes_matter(s.model)) record.node_change = change_by_nodes(*record.coarse, control);
     if (bars == WantedBars::grid_and_model) record.model = model_error(*record.coarse, control);
   }

@@ -16,7 +16,7 @@ struct BarRecord {
   std::vector<bearing::LevelRecord> levels;  ///< grids used, from the coarsest on
   double edge = 0.0;                         ///< of the smallest film, edge_error.hpp [m]
   LandError lands;                           ///< of few cells beside supplies
-  int land_cells = 0;                        ///< of side lands, as many on all grids; 0: not so
+  CellsOfSupplies alike;                     ///< that all grids give them; 0: not as many
   ModelError model;
   double wall_s = 0.0;
 };

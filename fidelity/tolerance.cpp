@@ -47,8 +47,8 @@ void propose_grid(const Result& r, bool nodes_stay, Shortfall& s) {
 
 double RelativeBars::total() const { return std::isfinite(grid) ? grid + known(model) : model; }
 
-bool is_laminar(const Result& r) {
-  return std::none_of(r.warnings.begin(), r.warnings.end(),
+bool is_laminar(const std::vector<Note>& warnings) {
+  return std::none_of(warnings.begin(), warnings.end(),
                       [](const Note& n) { return std::holds_alternative<note::NotLaminar>(n); });
 }
 
@@ -66,7 +66,7 @@ RelativeBars relative_bars(const Result& r, const std::string& quantity) {
 Shortfall shortfall(const Result& r, double tolerance, bool nodes_stay) {
   Shortfall s{tolerance, relative_bars(r, "friction_torque"), relative_bars(r, "h_min")};
   s.grid = r.grid;
-  s.laminar = is_laminar(r);
+  s.laminar = is_laminar(r.warnings);
   if (r.choice) {  // of tier auto: held to what it means its values for
     s.met = r.choice->met;
     s.friction.grid = r.choice->bar_friction;

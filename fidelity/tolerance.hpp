@@ -23,8 +23,8 @@ struct RelativeBars {
   /// The known ones together.
   [[nodiscard]] double total() const;
 };
-/// False if the result warns of vortices or turbulence, which no tier knows.
-[[nodiscard]] bool is_laminar(const bearing::Result& r);
+/// False if the warnings tell of vortices or turbulence, which no tier knows.
+[[nodiscard]] bool is_laminar(const std::vector<bearing::Note>& warnings);
 
 [[nodiscard]] RelativeBars relative_bars(const bearing::Result& r, const std::string& quantity);
 

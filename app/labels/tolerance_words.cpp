@@ -111,7 +111,7 @@ Missed missed_by_auto(const Case& c, const Result& r) {
   Missed missed;
   missed.words = fmt::format("friction torque +-{}, smallest film +-{}",
                              percent(choice.bar_friction), percent(choice.bar_h_min));
-  if (!fidelity::is_laminar(r)) {
+  if (!fidelity::is_laminar(r.warnings)) {
     missed.words += std::string("; ") + kNotLaminar;
     return missed;
   }
@@ -213,7 +213,7 @@ Missed missed_tolerance(const Case& c, const Comparison& comparison) {
   std::string tiers;
   std::string by_physics;  // those that no grid can mend
   Shortfall worst;         // of those that one can
-  bool more_nodes = false;
+  bool more_nodes = false, laminar = true;
   const Result* mended = nullptr;
   const Result* within = nullptr;  // the richest that is as good as asked for
   for (std::size_t k = 0; k < names.size(); ++k) {
@@ -221,9 +221,10 @@ Missed missed_tolerance(const Case& c, const Comparison& comparison) {
     tiers += (k == 0 ? "" : ",") + std::string(to_string(r.tier));
     const Shortfall s = fidelity::shortfall(r, c.model.tolerance, nodes_at_most(c));
     if (r.verdict.good() && s.met && std::isfinite(s.friction.total())) within = &r;
+    laminar = laminar && s.laminar;
     if (!r.verdict.good() || s.met) continue;
     missed.words += (missed.words.empty() ? "" : "; ") + names[k] + ": " + missed_words(s);
-    if (s.physics) by_physics += (by_physics.empty() ? "" : ", ") + names[k];
+    if (s.physics && s.laminar) by_physics += (by_physics.empty() ? "" : ", ") + names[k];
     if (s.physics) continue;
     more_nodes = more_nodes || s.more_nodes;
     if (mended != nullptr && s.grid[0] <= worst.grid[0]) continue;
@@ -239,7 +240,7 @@ Missed missed_tolerance(const Case& c, const Comparison& comparison) {
     const std::string tier = to_string(within->tier);
     missed.outlook = tier + " meets it";
     missed.command = command_line("run", c, "--tier " + tier, {"model.tier"});
-  } else {
+  } else if (laminar) {
     take_auto(c, missed);
   }
   return missed;

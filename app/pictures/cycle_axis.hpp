@@ -5,7 +5,7 @@
 
 namespace shellback::app {
 
-/// The crank angle [deg], or the time [ms].
+/// The crank angle [deg], or the time [ms], of long events [s].
 [[nodiscard]] Axis cycle_axis(const bearing::CycleResult& cycle);
 
 /// An instant on that axis.

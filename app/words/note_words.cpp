@@ -229,7 +229,7 @@ std::string text_of(const note::ToleranceNotMet& n) {
 std::string text_of(const note::ColdClearance& n) {
   return fmt::format(
       "the clearance is that at bearing.reference_temperature: at the film's temperature shell and "
-      "shaft may differ by some {:.0f} % of it, which tier tehd knows",
+      "shaft may differ by some {:.0f} % of it (thermal deformation, which tier tehd has in)",
       100.0 * n.part);
 }
 
@@ -254,7 +254,8 @@ std::string text_of(const note::ShaftSwing& n) {
 std::string text_of(const note::LongEvent& n) {
   return fmt::format(
       "heat goes some {:.2g} mm into the walls while this event lasts, deeper than a quarter of "
-      "the bearing's radius ({:.2g} mm), from where on what goes sideways counts, which is left "
+      "the bearing's radius, or of its width where the shaft goes on beyond it ({:.2g} mm), from "
+      "where on what goes sideways counts, which is left "
       "out: "
       "walls are told too warm, by a twentieth of their rise and more, and their growth with them; "
       "over so long a time run --transient follows the bodies",

@@ -217,6 +217,10 @@ bool CyclePasses::pass_between(const WallMeans& walls, const Rest& rest) {
 CycleResult CyclePasses::result() const {
   CycleResult r = r_;
   told_.write(r);
+  if (!r.verdict.good()) {  // what a state that failed would swing by says nothing
+    std::erase_if(r.assumptions,
+                  [](const Note& n) { return std::holds_alternative<note::ShaftSwing>(n); });
+  }
   if (film_.heat() == nullptr) {
     const double T = now_.film.columns.T.front();
     for (Note& w : oil_range_warnings(c_.oil, T, T, 0.0)) r.warnings.push_back(std::move(w));

@@ -33,8 +33,14 @@ double CycleRecord::oil_in_gap(const Field& oil) const {
 
 Field CycleRecord::shell_surface(const FilmInTime& now) const {
   const auto n = static_cast<std::size_t>(film_->model().gl.n);
+  const HeatSteps& heat = *film_->heat();
+  const auto nodes = static_cast<std::size_t>(heat.skin().nodes());
   Field T(now.oil.size());
-  for (std::size_t c = 0; c < T.size(); ++c) T[c] = now.heat.T[c * n];
+  for (std::size_t c = 0; c < T.size(); ++c) {
+    // the film's node of a supply that exchanges no heat with it is the oil there
+    const bool wall = meets_walls(film_->model(), static_cast<int>(c));
+    T[c] = wall ? now.heat.T[c * n] : heat.walls.shell[c] + now.heat.skin[c * nodes];
+  }
   return T;
 }
 

@@ -362,11 +362,14 @@ void CycleRecord::write_heat(CycleResult& r) const {
     return mirror_to_full(g, x);
   };
   r.walls = film_->heat()->walls;
-  constexpr double kSideways = 0.25;  // of the radius: rises are then told a twentieth too high
+  // Of the radius, or of the width where a shaft goes on beyond it, which skins do not know: rises
+  // are then told a twentieth too high.
+  constexpr double kSideways = 0.25;
   r.assumptions.push_back(shaft_swing());
   add_layer_of_constant_thickness(film_->model(), r.assumptions);
   const double reach = reach_of_heat(film_->model().input, length_);
-  const double near = kSideways * g.radius;
+  const bool goes_on = film_->model().input.shaft->overhang > 0.0;
+  const double near = kSideways * (goes_on ? std::min(g.radius, g.width) : g.radius);
   if (!course_->repeats() && reach > near) r.warnings.push_back(note::LongEvent{reach, near});
   r.fields.T_shell = mean_over_time(T_shell_);
   r.fields.heat_to_shell = mean_over_time(heat_.to_shell);

@@ -258,6 +258,24 @@ TEST_CASE("LumpedCyclesMeetTheHeatBalanceOfTheirMeans", "[cycle_heat]") {
   CHECK(value(r, "T_film_mean") == Approx(steady.values().T_film_mean).margin(0.02));
 }
 
+TEST_CASE("TheShellIsNotTheOilOfGroovesThatDoNotTouchIt", "[cycle_heat]") {
+  // A thin shell whose back is held at the supply's temperature stays cold behind the groove, whose
+  // oil, mixed with what comes round, does not.
+  Case c = warm_cycle_case(1.5e3, 0.0);
+  c.shell = Shell{{{steel(), 0.5e-3}}, {}, PrescribedBack{313.15}, 0.0};
+  c.operation.omega = 6000.0 * kPi / 30.0;
+  c.supplies[0].pressure = 1e3;
+  c.cycle = swinging(c, 1.5e3, 0.0);
+  Case still = c;
+  still.cycle.reset();
+  still.model.tier = Tier::thd;
+  const Result steady = solve(still);
+  REQUIRE(steady.verdict.good());
+  const double shell = steady.value("T_shell_max");
+  REQUIRE(steady.value("T_supply_mixed") > shell + 1.0);
+  CHECK(value(converged(c, Tier::thd), "T_shell_max") == Approx(shell).margin(0.06));
+}
+
 TEST_CASE("CyclesSayHowWarmOilIsThatEdgesDrawIn", "[cycle_heat]") {
   // A film that cavitates half a bar below ambient draws oil in at the edges beside its void.
   const auto told = [](double p_cav, Tier tier) {

@@ -147,7 +147,8 @@ TEST_CASE("TheFrontBetweenPlatesThatMoveApartIsWithinACell", "[cycle]") {
   for (int n = 1; n <= kSteps; ++n) {
     take(n * dt - now.t);
     for (int part = 1; part <= 40; ++part) front.go_on((n - 1 + part / 40.0) * dt, dt / 40.0);
-    CHECK(now.film.gap.cell[0] == Approx(gap_at(n * dt).h).epsilon(1e-6));  // as told
+    CHECK(now.film.gap.cell[0] ==
+          Approx(gap_at(n * dt).h).epsilon(1e-6));  // what walls are told to be
     int full = 0;
     while (full < g.nt && now.film.film.full[g.index(full, 0)]) ++full;
     INFO("t " << now.t << ": " << full << " cells are full, the front lies at " << front.place());

@@ -238,6 +238,26 @@ TEST_CASE("CellsBetweenTwoRowsOfHolesGrowAsThoseBeyond") {
   }
 }
 
+TEST_CASE("TheOrderOfSuppliesIsNoMatter") {
+  // A hole within a longer groove's stretch, both on mid-width: whichever is named first, the hole
+  // is the one that mid-width cuts next.
+  const auto edges = [](bool hole_first) {
+    GridEdges all;
+    for (const double side : {-2e-3, 2e-3}) {
+      GridEdge e(side, hole_first ? 0 : 1);
+      e.beside = 4e-3;
+      all.push_back(e);
+    }
+    for (const double side : {-20e-3, 20e-3}) all.emplace_back(side, hole_first ? 1 : 0);
+    return all;
+  };
+  for (const int nz : {24, 26, 32}) {
+    const FilmGrid a = make_grid(0.05, 0.08, 60, nz, true, {}, edges(true), 0.0);
+    const FilmGrid b = make_grid(0.05, 0.08, 60, nz, true, {}, edges(false), 0.0);
+    CHECK(a.z_face == b.z_face);
+  }
+}
+
 TEST_CASE("PlacesAroundLieBetweenTheirNeighboursWhateverTheBranch") {
   const std::vector<double> angles{0.1, 1.0, 4.0};
   for (int k = 0; k < 20000; ++k) {

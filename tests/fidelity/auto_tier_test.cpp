@@ -89,7 +89,7 @@ TEST_CASE("OfAFilmThatIsNotLaminarNoToleranceIsMet") {
   c.operation.omega = 20000.0 * kRpm;
   const Result r = solve_case(c);
   REQUIRE(r.verdict.good());
-  CHECK_FALSE(is_laminar(r));
+  CHECK_FALSE(is_laminar(r.warnings));
   REQUIRE(r.choice);
   CHECK_FALSE(r.choice->met);
   CHECK_FALSE(shortfall(r, 0.05).met);

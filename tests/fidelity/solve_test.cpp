@@ -5,6 +5,7 @@
 
 #include "../bearing/sample_bearing.hpp"
 #include "app/words/note_words.hpp"
+#include "fidelity/bar_rules.hpp"
 #include "fidelity/quantities.hpp"
 
 using namespace shellback;
@@ -321,4 +322,47 @@ TEST_CASE("AShaftThatEndsAtTheBearingTakesNoHeatOnAnyCells") {
   CHECK(std::abs(heat.value) < 1e-3 * power);
   CHECK(heat.error_grid < 1e-3 * power);           // and the bar knows it
   CHECK(heat.error_grid >= std::abs(heat.value));  // zero is within it
+}
+
+TEST_CASE("PlacesFlowsAndOpeningsAreKnownNoBetterThanWhatTheyAreMadeOf") {
+  Case c = warm_case();
+  const double T = c.supplies[0].temperature;
+  Result r;
+  const auto add = [&](const char* name, double value, const char* unit, double bar) {
+    r.quantities.push_back({name, value, unit, bar, NAN});
+  };
+  add("eccentricity_ratio", 0.5, "1", 0.01);
+  add("attitude_angle", 40.0, "deg", 0.1);
+  add("side_flow", 1e-5, "m3/s", 1e-6);
+  add("T_film_mean", T + 20.0, "K", 0.2);
+  add("T_supply_mixed", T + 2.0, "K", 0.01);
+  add("T_shaft", T + 20.0, "K", 0.5);
+  add("thermal_opening_mean", 1e-6, "m", 1e-9);
+  fidelity::share_bars_of_place_and_flow(c, r);
+  const auto bar = [&](const char* name) { return quantity(r, name).error_grid; };
+  CHECK(bar("attitude_angle") == Approx(0.01 / 0.5 * 180.0 / kPi));
+  CHECK(bar("T_supply_mixed") == Approx(0.5 * 0.1 * 20.0));
+  CHECK(bar("thermal_opening_mean") ==
+        Approx(c.shaft->material.expansion * c.bearing.radius * 0.5));
+  CHECK(bar("T_film_mean") == 0.2);  // nothing else has changed
+}
+
+TEST_CASE("SummitsWithoutDataOfContactAreMissedByWord") {
+  Case c = plain_case();
+  c.model.grid = {48, 9};
+  c.surfaces.shell.roughness = 1.5e-6;
+  const auto told = [&](double load) {
+    set_load(c, load);
+    const Result r = bearing::summarize(solve_tier(c, Tier::isothermal), Tier::isothermal);
+    REQUIRE(r.verdict.good());
+    for (const Note& n : r.warnings) {
+      if (const auto* left = std::get_if<note::ContactLeftOut>(&n)) {
+        CHECK(left->lambda == Approx(r.value("h_min") / 1.5e-6));
+        return true;
+      }
+    }
+    return false;
+  };
+  CHECK_FALSE(told(500.0));
+  CHECK(told(4e4));
 }

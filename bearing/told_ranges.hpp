@@ -56,10 +56,10 @@ inline constexpr double kTaylor = 41.2;  ///< [-]
 /// Inertia of the film over its viscous forces, Re c/R = rho omega c^2/eta [-] (textbook).
 [[nodiscard]] double reduced_reynolds(const Case& c, const note::NotLaminar& film);
 inline constexpr double kInertiaMatters = 1.0;  ///< of it: as large as they are [-]
-/// One note if that limit is passed, one if the film's inertia matters.
 /// Rough surfaces nearer than three roughnesses at `h_min` [m] without data of contact.
 void add_contact_left_out(const Case& c, double h_min, std::vector<Note>& notes);
 
+/// One note if that limit is passed, one if the film's inertia matters; U [m/s], T [K].
 void add_turbulence(const Case& c, double U, double T, std::vector<Note>& notes);
 
 /// Shear stress that oils bear, beyond which they slip or flow plastically however viscous, at

@@ -122,15 +122,19 @@ void share(const CourseRun& run, const Begun& begun, const LandError& lands, Ins
 }
 
 /// And what the steps within the cycle leave open, of the last stretch's on `grid`: marches on all
-/// grids take the same.
+/// grids take the same. Where that cycle is not found no bar of steps is known.
 void add_open_within_cycles(Case c, const Grid& grid, SolveControl control, const CourseRun& run,
                             Instants& bars) {
   control.kept = nullptr;
   c.model.grid = grid;
   const auto cycle = cycle_with_bars_of_steps(c, control);
   for (const auto& q : kFollowedInstants) {
-    const CycleQuantity* known = cycle ? named(*cycle, q.name) : nullptr;
-    if (known == nullptr) continue;
+    if (!cycle) {
+      for (Instant& bar : bars) bar.*q.value = NAN;
+      continue;
+    }
+    const CycleQuantity* known = named(*cycle, q.name);
+    if (known == nullptr) continue;  // of bodies: they see the cycle's mean
     const Quantity& told = known->quantity;
     const double open = std::min(told.error_time, furthest(c, told));
     const bool absolute = std::string_view(q.unit) == "K";

@@ -4,17 +4,19 @@
 
 #include <algorithm>
 
+#include "app/labels/command_words.hpp"
+#include "app/labels/quantity_label.hpp"
 #include "app/provenance.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::app::hdf5 {
 
 Handle::Handle(hid_t id, herr_t (*close)(hid_t), const char* what) : id_(id), close_(close) {
-  if (id < 0) throw FileError(fmt::format("HDF5 refused to create {}", what));
+  if (id < 0) throw FileError(fmt::format("HDF5 refused {}", what));
 }
 
 void check(herr_t outcome, const std::string& what) {
-  if (outcome < 0) throw FileError("HDF5 could not write " + what);
+  if (outcome < 0) throw FileError("HDF5 failed at " + what);
 }
 
 QuietErrors::QuietErrors() {
@@ -23,7 +25,10 @@ QuietErrors::QuietErrors() {
 }
 
 Handle group(hid_t parent, const char* name) {
-  return {H5Gcreate2(parent, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, name};
+  const Handle how(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, name);
+  check(H5Pset_link_creation_order(how, H5P_CRT_ORDER_TRACKED), name);
+  check(H5Pset_attr_creation_order(how, H5P_CRT_ORDER_TRACKED), name);
+  return {H5Gcreate2(parent, name, H5P_DEFAULT, how, H5P_DEFAULT), H5Gclose, name};
 }
 
 Handle text_type() {
@@ -48,6 +53,15 @@ void attribute(hid_t owner, const std::string& name, int value) {
 void attribute(hid_t owner, const std::string& name, const std::string& value) {
   const char* text = value.c_str();
   attribute(owner, name, text_type(), &text);
+}
+
+std::string text_attribute(hid_t owner, const char* name) {
+  const Handle id(H5Aopen(owner, name, H5P_DEFAULT), H5Aclose, name);
+  char* text = nullptr;
+  check(H5Aread(id, text_type(), &text), name);
+  const std::string copy = text == nullptr ? "" : text;
+  H5free_memory(text);
+  return copy;
 }
 
 void dataset(hid_t parent, const std::string& name, hid_t type, const void* data,
@@ -86,6 +100,8 @@ void doubles(hid_t parent, const char* name, const std::vector<double>& values, 
 void write_origin(hid_t file, const bearing::Case& c) {
   const Handle input = group(file, "case");
   attribute(input, "path", c.path);
+  attribute(input, "scene", describe_case(c, Writing::plain));
+  attribute(input, "changes", describe_changes(c));
   const char* text = c.verbatim.c_str();
   dataset(input, "verbatim", text_type(), &text, {1}, {"-", "text of the case file", "", ""});
   const Provenance p = provenance(c);
@@ -117,12 +133,7 @@ std::string format_of(const std::string& path) {
   const QuietErrors quiet;
   try {
     const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "the file");
-    const Handle id(H5Aopen(file, "format", H5P_DEFAULT), H5Aclose, "format");
-    char* text = nullptr;
-    check(H5Aread(id, text_type(), &text), "format");
-    const std::string format = text;
-    H5free_memory(text);
-    return format;
+    return text_attribute(file, "format");
   } catch (const FileError&) {
     return "";
   }

@@ -40,6 +40,7 @@ class QuietErrors {
   void* data_ = nullptr;
 };
 
+/// What is written into it keeps its order.
 [[nodiscard]] Handle group(hid_t parent, const char* name);
 
 /// UTF-8 strings of any length; readers in Python and MATLAB take these as plain text.
@@ -49,6 +50,8 @@ void attribute(hid_t owner, const std::string& name, hid_t type, const void* val
 void attribute(hid_t owner, const std::string& name, double value);
 void attribute(hid_t owner, const std::string& name, int value);
 void attribute(hid_t owner, const std::string& name, const std::string& value);
+
+[[nodiscard]] std::string text_attribute(hid_t owner, const char* name);
 
 /// What a reader must know of a dataset.
 struct Meaning {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 
+#include "app/html_page.hpp"
 #include "app/html_tables.hpp"
 #include "app/labels/cycle_shown.hpp"
 #include "app/labels/table_parts.hpp"
@@ -17,20 +18,6 @@ namespace shellback::app {
 namespace {
 
 using bearing::CycleResult;
-
-constexpr double kColumnWidth = 580.0;  ///< of a figure in a column [px]
-constexpr double kAxisRoom = 8.0;       ///< of it for the title of an axis that stands upright [px]
-
-std::string figure(double height, const std::string& label,
-                   const std::function<void(Svg&, const Box&)>& draw) {
-  Svg svg(kColumnWidth, height);
-  draw(svg, {kAxisRoom, 0.0, kColumnWidth - kAxisRoom, height});
-  return "<figure>" + svg.inline_element(label) + "</figure>\n";
-}
-
-std::string bar(double value) {
-  return std::isfinite(value) ? "± " + figures(std::abs(value), 2) : "";
-}
 
 constexpr const char* kPlayer = R"html(
 <p class="player"><button type="button">pause</button>
@@ -93,9 +80,9 @@ std::string cycle_quantities_html(const bearing::Case& c, const CycleResult& cyc
         "<tr data-quantity=\"{}\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td>{}"
         "<td class=\"unit\">{}</td><td>{}</td>{}</tr>\n",
         escape_markup(q.quantity.name), escape_markup(cycle_label(q)),
-        typeset_number(figures(unit(q.quantity.value))), bar(unit.scale * q.quantity.error_grid),
-        bar(unit.scale * q.quantity.error_time),
-        physics ? "<td>" + bar(unit.scale * q.quantity.error_model) + "</td>" : "",
+        typeset_number(figures(unit(q.quantity.value))),
+        bar_cell(unit.scale * q.quantity.error_grid), bar_cell(unit.scale * q.quantity.error_time),
+        physics ? "<td>" + bar_cell(unit.scale * q.quantity.error_model) + "</td>" : "",
         escape_markup(typeset_unit(unit.unit)),
         std::isfinite(q.at) ? figures(shown_instant(cycle, q.at)) : "",
         measured ? measured_cell(c.measured, q.quantity, unit) : "");
@@ -125,8 +112,8 @@ std::string cycle_curves_html(const bearing::Case& c, const CycleResult& cycle) 
   if (cycle.instants.empty()) return "";
   const Theme theme = page_theme();
   std::string html = "<div class=\"figures\">\n";
-  html += figure(600.0, "Path of the journal",
-                 [&](Svg& svg, const Box& box) { draw_orbit(svg, box, c, cycle, theme); });
+  html += figure_html(kColumnWidth, 600.0, "Path of the journal", "",
+                      [&](Svg& svg, const Box& box) { draw_orbit(svg, box, c, cycle, theme); });
   const double height = std::max(600.0, height_of_cycle_curves(cycle));
   Svg svg(kColumnWidth, height);
   draw_cycle_curves(svg, {0.0, 0.0, kColumnWidth, height}, cycle, theme);
@@ -140,10 +127,10 @@ std::string cycle_maps_html(const bearing::Case& c, const CycleResult& cycle) {
                                CycleMap::friction, CycleMap::shell, CycleMap::shell_heat}) {
     const auto map = cycle_map(c, cycle, which);
     if (!map) continue;
-    html += figure(232.0, map->title,
-                   [&](Svg& svg, const Box& box) { draw_map(svg, box, *map, page_theme()); });
+    html += figure_html(kColumnWidth, 232.0, map->title, "",
+                        [&](Svg& svg, const Box& box) { draw_map(svg, box, *map, page_theme()); });
   }
-  return html.empty() ? "" : "<div class=\"figures\">\n" + html + "</div>\n";
+  return figures_html(html);
 }
 
 std::string cycle_animation_html(const bearing::Case& c, const CycleResult& cycle) {

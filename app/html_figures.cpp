@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "app/html_page.hpp"
 #include "app/labels/quantity_label.hpp"
 #include "app/pictures/svg_film.hpp"
 #include "app/pictures/svg_profiles.hpp"
@@ -17,23 +18,8 @@ using bearing::Case;
 using bearing::Comparison;
 using bearing::Result;
 
-constexpr double kFigureWidth = 580.0;  ///< of a figure in a column [px]
-constexpr double kAxisTitle = 8.0;      ///< of it for the title of an axis that stands upright [px]
 constexpr double kMapHeight = 232.0;
 constexpr double kPlotHeight = 300.0;
-
-std::string figure(double width, double height, const std::string& label,
-                   const std::string& caption, const std::function<void(Svg&, const Box&)>& draw) {
-  Svg svg(width, height);
-  draw(svg, {kAxisTitle, 0.0, width - kAxisTitle, height});
-  std::string html = "<figure>" + svg.inline_element(label);
-  if (!caption.empty()) html += "<figcaption>" + escape_markup(caption) + "</figcaption>";
-  return html + "</figure>\n";
-}
-
-std::string grid_of(const std::string& figures, const char* kind = "figures") {
-  return figures.empty() ? "" : fmt::format("<div class=\"{}\">\n{}</div>\n", kind, figures);
-}
 
 /// Index of the last result for which `has` is true; -1: none.
 int last_with(const Comparison& comparison, const std::function<bool(const Result&)>& has) {
@@ -53,7 +39,7 @@ std::string map_figure(const Case& c, const Comparison& comparison, int k, FilmF
                        const ColourScale& scale, const std::string& what,
                        const std::string& caption) {
   const std::string title = named(comparison, k, what);
-  return figure(kFigureWidth, kMapHeight, title, caption, [&](Svg& svg, const Box& box) {
+  return figure_html(kColumnWidth, kMapHeight, title, caption, [&](Svg& svg, const Box& box) {
     draw_map(svg, box, film_map(c, comparison.results[k], which, scale, title), page_theme());
   });
 }
@@ -84,13 +70,13 @@ std::string last_map(const Case& c, const Comparison& comparison, FilmField whic
 std::string waterfall_html(const Case& c, const Comparison& comparison) {
   if (comparison.split.steps.empty()) return "";
   const double height = 74.0 + 38.0 * static_cast<double>(comparison.split.steps.size() + 2);
-  return grid_of(
-      figure(860.0, height, "Friction torque from isothermal to full model",
-             "Effects substituted one after another, from top to bottom; another order would "
-             "share the difference out differently. Percentages are of the isothermal torque.",
-             [&](Svg& svg, const Box& box) {
-               draw_waterfall(svg, box, comparison.split, measured_torque(c), page_theme());
-             }),
+  return figures_html(
+      figure_html(860.0, height, "Friction torque from isothermal to full model",
+                  "Effects substituted one after another, from top to bottom; another order would "
+                  "share the difference out differently. Percentages are of the isothermal torque.",
+                  [&](Svg& svg, const Box& box) {
+                    draw_waterfall(svg, box, comparison.split, measured_torque(c), page_theme());
+                  }),
       "figures single");
 }
 
@@ -101,15 +87,16 @@ std::string profiles_html(const Comparison& comparison) {
     const auto plot = profile_plot(comparison, which, page_theme());
     if (!plot) continue;
     const std::string caption = which == Profile::gap ? "Inside supply features not drawn." : "";
-    html += figure(kFigureWidth, kPlotHeight, plot->title, caption,
-                   [&](Svg& svg, const Box& box) { draw_lines(svg, box, *plot, page_theme()); });
+    html +=
+        figure_html(kColumnWidth, kPlotHeight, plot->title, caption,
+                    [&](Svg& svg, const Box& box) { draw_lines(svg, box, *plot, page_theme()); });
   }
-  return grid_of(html);
+  return figures_html(html);
 }
 
 std::string maps_html(const Case& c, const Comparison& comparison) {
   const std::string dashed = "Dashed: where the full film ends. Supply features outlined.";
-  return grid_of(
+  return figures_html(
       pair_of_maps(c, comparison, FilmField::pressure, "Film pressure", dashed) +
       pair_of_maps(c, comparison, FilmField::fill, "Fill ratio", "") +
       pair_of_maps(c, comparison, FilmField::gap, "Gap",
@@ -125,12 +112,12 @@ std::string depth_html(const Case& c, const Comparison& comparison) {
       comparison, [](const Result& r) { return !r.fields.T.empty() && r.fields.grid.cells() > 0; });
   if (film >= 0) {
     const std::string title = named(comparison, film, "Temperature across the film");
-    html +=
-        figure(kFigureWidth, kPlotHeight, title,
-               "At mid-width; the gap is stretched to unit height everywhere.",
-               [&](Svg& svg, const Box& box) {
-                 draw_map(svg, box, across_film_map(comparison.results[film], title), page_theme());
-               });
+    html += figure_html(kColumnWidth, kPlotHeight, title,
+                        "At mid-width; the gap is stretched to unit height everywhere.",
+                        [&](Svg& svg, const Box& box) {
+                          draw_map(svg, box, across_film_map(comparison.results[film], title),
+                                   page_theme());
+                        });
   }
   const int solid = last_with(comparison, [](const Result& r) {
     return !r.fields.T_solid.empty() && r.fields.r.size() > 1;
@@ -138,13 +125,14 @@ std::string depth_html(const Case& c, const Comparison& comparison) {
   if (solid >= 0) {
     const std::string title =
         named(comparison, solid, "Shell and housing temperature at mid-width");
-    html += figure(kFigureWidth, 430.0, title,
-                   "White circles: layer boundaries. Arrows: rotation and load on the journal.",
-                   [&](Svg& svg, const Box& box) {
-                     draw_section(svg, box, c, comparison.results[solid], title, page_theme());
-                   });
+    html +=
+        figure_html(kColumnWidth, 430.0, title,
+                    "White circles: layer boundaries. Arrows: rotation and load on the journal.",
+                    [&](Svg& svg, const Box& box) {
+                      draw_section(svg, box, c, comparison.results[solid], title, page_theme());
+                    });
   }
-  return grid_of(html);
+  return figures_html(html);
 }
 
 }  // namespace shellback::app

@@ -92,17 +92,26 @@ std::string measured_sentence(const bearing::Case& c, const Comparison& comparis
 
 }  // namespace
 
-std::string failure_html(const std::string& name, const Result& result,
+std::string bar_cell(double bar) {
+  return std::isfinite(bar) ? "± " + figures(std::abs(bar), 2) : "";
+}
+
+std::string failure_html(const std::string& heading, const EndingWords& words,
                          const std::string& meaning) {
-  const EndingWords v = words_of(result.verdict);
-  std::string html = fmt::format("<section class=\"failed\"><strong>{}: {}</strong><dl>",
-                                 escape_markup(name), status_line(result));
-  for (const auto& [term, words] :
-       {std::pair{"reason", v.reason}, std::pair{"place", v.place}, std::pair{"cure", v.cure}}) {
-    if (words.empty()) continue;
-    html += fmt::format("<dt>{}</dt><dd>{}</dd>", term, escape_markup(words));
+  std::string html =
+      fmt::format("<section class=\"failed\"><strong>{}</strong><dl>", escape_markup(heading));
+  for (const auto& [term, said] :
+       {std::pair{"reason", words.reason}, std::pair{"place", words.place},
+        std::pair{"cure", words.cure}}) {
+    if (said.empty()) continue;
+    html += fmt::format("<dt>{}</dt><dd>{}</dd>", term, escape_markup(said));
   }
   return html + "</dl>" + escape_markup(meaning) + "</section>\n";
+}
+
+std::string failure_html(const std::string& name, const Result& result,
+                         const std::string& meaning) {
+  return failure_html(name + ": " + status_line(result), words_of(result.verdict), meaning);
 }
 
 std::string failures_html(const Comparison& comparison) {
@@ -197,17 +206,35 @@ std::string audit_html(const Comparison& comparison) {
   return html + "</tbody></table></div>\n";
 }
 
-std::string effects_html(const Comparison& comparison) {
-  if (comparison.results.empty() || comparison.results.back().effects.empty()) return "";
+std::string effects_html(const std::vector<StoredEffect>& effects) {
+  if (effects.empty()) return "";
   std::string html =
       "<div class=\"scroll\"><table><thead><tr><th>effect</th><th>included</th><th>indicator</th>"
       "<th class=\"unit\">meaning</th></tr></thead><tbody>\n";
-  for (const auto& e : comparison.results.back().effects) {
+  for (const StoredEffect& e : effects) {
     html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"text\">{}</td></tr>\n",
-                        escape_markup(name_of(e.kind)), e.included ? "yes" : "no",
-                        figures(e.indicator, 3), escape_markup(meaning_of(e)));
+                        escape_markup(e.name), e.included ? "yes" : "no", figures(e.indicator, 3),
+                        escape_markup(e.meaning));
   }
   return html + "</tbody></table></div>\n";
+}
+
+std::string effects_html(const Comparison& comparison) {
+  if (comparison.results.empty()) return "";
+  std::vector<StoredEffect> rows;
+  for (const auto& e : comparison.results.back().effects) {
+    rows.push_back({name_of(e.kind), meaning_of(e), e.included, e.indicator});
+  }
+  return effects_html(rows);
+}
+
+std::string notes_html(const std::vector<std::string>& warnings,
+                       const std::vector<std::string>& limiters,
+                       const std::vector<std::string>& assumptions) {
+  const std::string lists = list_html("Warnings", warnings) +
+                            list_html("Limiters that acted", limiters) +
+                            list_html("Assumptions", assumptions);
+  return lists.empty() ? "" : "<div class=\"columns\">\n" + lists + "</div>\n";
 }
 
 std::string notes_html(const Comparison& comparison) {
@@ -223,14 +250,10 @@ std::string notes_html(const Comparison& comparison) {
       limiters.push_back(fmt::format("{}: {}, {} times", names[k], words_of(l.what), l.count));
     }
   }
-  const std::string lists = list_html("Warnings", warnings) +
-                            list_html("Limiters that acted", limiters) +
-                            list_html("Assumptions", assumptions);
-  return lists.empty() ? "" : "<div class=\"columns\">\n" + lists + "</div>\n";
+  return notes_html(warnings, limiters, assumptions);
 }
 
-std::string provenance_html(const bearing::Case& c) {
-  const Provenance p = provenance(c);
+std::string provenance_html(const Provenance& p, const std::string& verbatim) {
   std::string html =
       fmt::format("<p>Shellback {} ({}). Input {}, FNV-1a {}.<br>", escape_markup(p.version),
                   escape_markup(p.git),
@@ -239,11 +262,15 @@ std::string provenance_html(const bearing::Case& c) {
     html += escape_markup(name + " " + version) + (name == p.libraries.back().first ? "" : " · ");
   }
   html += "</p>\n";
-  if (!c.verbatim.empty()) {
-    html += "<details><summary>The case as read</summary><pre>" + escape_markup(c.verbatim) +
+  if (!verbatim.empty()) {
+    html += "<details><summary>The case as read</summary><pre>" + escape_markup(verbatim) +
             "</pre></details>\n";
   }
   return html;
+}
+
+std::string provenance_html(const bearing::Case& c) {
+  return provenance_html(provenance(c), c.verbatim);
 }
 
 }  // namespace shellback::app

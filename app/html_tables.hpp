@@ -2,11 +2,22 @@
 /// The parts of a comparison page that are text: verdict, tables, lists. Each function returns
 /// HTML with all outside text escaped; an empty string if there is nothing to say.
 #include <string>
+#include <vector>
 
 #include "app/labels/tolerance_words.hpp"
+#include "app/provenance.hpp"
+#include "app/read_result.hpp"
+#include "app/words/ending_words.hpp"
 #include "bearing/result.hpp"
 
 namespace shellback::app {
+
+/// "± 0.012" with two figures; empty if the bar is not known.
+[[nodiscard]] std::string bar_cell(double bar);
+
+/// A loud box: heading, reason, place, cure, and what the numbers of the result mean.
+[[nodiscard]] std::string failure_html(const std::string& heading, const EndingWords& words,
+                                       const std::string& meaning);
 
 /// A loud box: status, reason, place, cure, and what the numbers of the result mean.
 [[nodiscard]] std::string failure_html(const std::string& name, const bearing::Result& result,
@@ -36,11 +47,16 @@ namespace shellback::app {
 
 /// Effects of the richest result.
 [[nodiscard]] std::string effects_html(const bearing::Comparison& comparison);
+[[nodiscard]] std::string effects_html(const std::vector<StoredEffect>& effects);
 
 /// Assumptions, warnings and limiters that acted, each line once.
 [[nodiscard]] std::string notes_html(const bearing::Comparison& comparison);
+[[nodiscard]] std::string notes_html(const std::vector<std::string>& warnings,
+                                     const std::vector<std::string>& limiters,
+                                     const std::vector<std::string>& assumptions);
 
 /// Program, source state, input, libraries and the verbatim case.
+[[nodiscard]] std::string provenance_html(const Provenance& p, const std::string& verbatim);
 [[nodiscard]] std::string provenance_html(const bearing::Case& c);
 
 }  // namespace shellback::app

@@ -32,6 +32,8 @@ const std::vector<Extension> kExtensions{
     {".svg", "a drawing (SVG)", {Format::svg}},
     {".png", "pixels (PNG)", {Format::png}},
     {".md", "Markdown", {Format::markdown}},
+    {".vtu", "a film for ParaView (VTK)", {Format::vtk}},
+    {".pvd", "films for ParaView (VTK)", {Format::vtk}},
     {".toml", "a case (TOML)", {Format::toml}},
     {".txt", "text", {Format::json, Format::csv, Format::coefficients, Format::markdown}},
     {".pdf", "PDF", {}},

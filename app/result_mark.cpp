@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <fstream>
 #include <regex>
+#include <sstream>
 #include <string_view>
 
 #include "app/hdf5_parts.hpp"
@@ -18,6 +19,7 @@ using namespace std::string_view_literals;
 
 constexpr std::string_view kJsonBegin = "{\n  \"generator\": \"Shellback ";
 constexpr std::string_view kCommentBegin = "<!-- Shellback ";
+constexpr std::string_view kXmlBegin = "<?xml version=\"1.0\"?>\n<!--";
 constexpr std::string_view kPageBegin = "<!DOCTYPE html>";
 constexpr std::string_view kPageMark = "<p class=\"kicker\">Shellback ";
 constexpr std::string_view kColumn = ",shellback";
@@ -82,11 +84,18 @@ std::string begin_of(const std::string& path) {
 }
 
 bool is_coefficient_table(const std::string& text) {
-  static const std::regex shape(
-      "frequency,kxx,kxy,kyx,kyy,cxx,cxy,cyx,cyy\n"
-      "-?[0-9.]+(e[+-][0-9]+)?(,-?[0-9]\\.[0-9]{8}e[+-][0-9]{2,3}){8}\n");
-  constexpr std::size_t kLongest = 300;  // header and one row [B]
-  return text.size() < kLongest && std::regex_match(text, shape);
+  static const std::regex row("-?[0-9.]+(e[+-][0-9]+)?(,-?[0-9]\\.[0-9]{8}e[+-][0-9]{2,3}){8}");
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line);
+  if (line != "frequency,kxx,kxy,kyx,kyy,cxx,cxy,cyx,cyy") return false;
+  bool any = false;
+  while (std::getline(lines, line)) {
+    if (lines.eof() && any) return true;  // the last one may be cut off
+    if (!std::regex_match(line, row)) return false;
+    any = true;
+  }
+  return any;
 }
 
 }  // namespace
@@ -100,6 +109,9 @@ std::string marked(Format format, std::string content) {
     case Format::svg:
     case Format::markdown:
       return fmt::format("{}{} -->\n", kCommentBegin, kVersion) + content;
+    case Format::vtk:  // an XML declaration stands first
+      return content.insert(content.find('\n') + 1,
+                            fmt::format("{}{} -->\n", kCommentBegin, kVersion));
     case Format::png:
       return with_text_chunk(std::move(content));
     case Format::hdf5:
@@ -115,6 +127,8 @@ bool is_result(const std::string& path) {
   const std::string text = begin_of(path);
   if (text.starts_with(kHdf5Begin)) return hdf5::format_of(path).starts_with("shellback ");
   if (text.starts_with(kJsonBegin) || text.starts_with(kCommentBegin)) return true;
+  const std::size_t second_line = text.find('\n') + 1;
+  if (text.starts_with(kXmlBegin)) return text.find(kCommentBegin) == second_line;
   if (text.starts_with(kPageBegin)) return text.find(kPageMark) != std::string::npos;
   constexpr std::size_t kLength = 4;  // of a chunk, before its name [B]
   if (text.find(kPngMark) == kPngHead + kLength) return true;

@@ -7,6 +7,7 @@
 ///   CSV       last column, `shellback`: the version in every row
 ///   HTML      line above the title, "Shellback ..." (class `kicker`)
 ///   SVG, Markdown   comment at the very top
+///   VTK       comment below the first line
 ///   PNG       text chunk `Software`, first after the header
 ///
 /// A table of coefficients has no room for a mark, since rotordynamics programs take each of its
@@ -15,7 +16,7 @@
 
 namespace shellback::app {
 
-enum class Format { hdf5, json, csv, coefficients, html, svg, png, markdown, toml };
+enum class Format { hdf5, json, csv, coefficients, html, svg, png, markdown, toml, vtk };
 
 /// What is to be written to a file or to standard output: `content` with the mark of its format.
 /// HDF5 and HTML carry theirs already; a case has none, for it belongs to the user.

@@ -95,15 +95,6 @@ std::vector<std::string> different(const Sorted& kept, const Sorted& now) {
   return keys;
 }
 
-std::string read_text(hid_t file, const char* name) {
-  const Handle id(H5Aopen(file, name, H5P_DEFAULT), H5Aclose, name);
-  char* text = nullptr;
-  check(H5Aread(id, text_type(), &text), name);
-  std::string out = text;
-  H5free_memory(text);
-  return out;
-}
-
 template <class List>
 List read_list(hid_t file, const char* name, hid_t type) {
   const Handle id(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose, name);
@@ -127,7 +118,7 @@ Read read_file(const std::string& path) {
   const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "the file");
   Read r;
   r.identity = read_list<std::string>(file, "identity", H5T_NATIVE_CHAR);
-  r.sum = read_text(file, "sum");
+  r.sum = text_attribute(file, "sum");
   r.kept.numbers = read_list<std::vector<double>>(file, "numbers", H5T_NATIVE_DOUBLE);
   r.kept.counts = read_list<std::vector<std::int64_t>>(file, "counts", H5T_NATIVE_INT64);
   r.kept.text = read_list<std::string>(file, "text", H5T_NATIVE_CHAR);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ostream>
 
 #include "app/labels/quantity_label.hpp"
@@ -43,15 +44,20 @@ void print_coefficients(std::ostream& out, const bearing::Result& result) {
   out << "  " << threshold_words(k) << '\n';
 }
 
-std::string coefficients_csv(const bearing::Coefficients& k) {
+std::string coefficients_csv(std::vector<bearing::Coefficients> at_speeds) {
+  std::stable_sort(at_speeds.begin(), at_speeds.end(),
+                   [](const auto& a, const auto& b) { return a.omega < b.omega; });
   std::string text = "frequency,kxx,kxy,kyx,kyy,cxx,cxy,cyx,cyy\n";
-  text += fmt::format("{:.10g}", k.omega);
-  for (const auto* m : {&k.K, &k.C}) {
-    for (int i = 0; i < 2; ++i) {
-      for (int j = 0; j < 2; ++j) text += fmt::format(",{:.8e}", (*m)[i][j]);
+  for (const bearing::Coefficients& k : at_speeds) {
+    text += fmt::format("{:.10g}", k.omega);
+    for (const auto* m : {&k.K, &k.C}) {
+      for (int i = 0; i < 2; ++i) {
+        for (int j = 0; j < 2; ++j) text += fmt::format(",{:.8e}", (*m)[i][j]);
+      }
     }
+    text += "\n";
   }
-  return text + "\n";
+  return text;
 }
 
 }  // namespace shellback::app

@@ -15,9 +15,6 @@ using study::SweepPoint;
 
 namespace {
 
-/// All digits that tell one number from the next; empty if it is none.
-std::string cell(double value) { return std::isfinite(value) ? fmt::format("{}", value) : ""; }
-
 std::string line(const std::vector<std::string>& cells) {
   std::string text;
   for (std::size_t k = 0; k < cells.size(); ++k) text += (k == 0 ? "" : ",") + cells[k];
@@ -49,7 +46,8 @@ std::string row(const Sweep& sweep, int index, const std::vector<SweepQuantity>&
   std::vector<std::string> cells;
   for (std::size_t a = 0; a < sweep.axes.size(); ++a) {
     const auto& axis = sweep.axes[a];
-    cells.push_back(axis.numbers.empty() ? csv_text(axis.words[at[a]]) : cell(axis.numbers[at[a]]));
+    cells.push_back(axis.numbers.empty() ? csv_text(axis.words[at[a]])
+                                         : csv_number(axis.numbers[at[a]]));
   }
   const auto& result = point.result;
   cells.push_back(status_word(point));
@@ -60,17 +58,18 @@ std::string row(const Sweep& sweep, int index, const std::vector<SweepQuantity>&
   cells.emplace_back(to_string(point.start));
   cells.push_back(std::to_string(point.tries));
   for (const auto& q : quantities) {
-    cells.push_back(cell(value_at(point, q)));
-    if (q.with_error) cells.push_back(cell(error_at(point, q)));
+    cells.push_back(csv_number(value_at(point, q)));
+    if (q.with_error) cells.push_back(csv_number(error_at(point, q)));
   }
   const auto& a = result.audit;
   const auto& k = result.cost;
   const bool good = point.good();
-  for (const double x : {a.mass, a.energy, a.load, a.moment}) cells.push_back(good ? cell(x) : "");
+  for (const double x : {a.mass, a.energy, a.load, a.moment})
+    cells.push_back(good ? csv_number(x) : "");
   for (const int x : {k.outer_iterations, k.newton_iterations, k.factorizations}) {
     cells.push_back(good ? std::to_string(x) : "");
   }
-  cells.push_back(cell(point.wall_s));
+  cells.push_back(csv_number(point.wall_s));
   cells.push_back(good ? "" : csv_text(reason_of(result.verdict)));
   return line(cells);
 }

@@ -19,6 +19,7 @@
 #include "bearing/bore_shape.hpp"
 #include "core/constants.hpp"
 #include "core/largest.hpp"
+#include "fidelity/tolerance.hpp"
 
 namespace shellback::app {
 namespace {
@@ -166,11 +167,13 @@ std::string told(const RunningInRun& run) {
 /// Of the last state: greatest wear, torque and smallest film.
 KnownAtEnds known(const bearing::Case& c, const RunningInRun& run, const RunningInBars& bars) {
   if (!run.verdict.good()) return {c.model.tolerance, {}, false};
-  return known_at_ends<RunningInState>(
+  KnownAtEnds of = known_at_ends<RunningInState>(
       c, run.states, bars, {run.states.size() - 1},
       {{"wear_depth", "greatest wear", &RunningInState::depth},
        {"friction_torque", "friction torque", &RunningInState::torque},
        {"h_min", "smallest film", &RunningInState::h_min}});
+  of.laminar = fidelity::is_laminar(last_state(run).warnings);
+  return of;
 }
 
 /// The keys of a surface, its members and their units.

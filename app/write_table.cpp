@@ -150,10 +150,12 @@ void print_tolerance(std::ostream& out, const Case& c, const Missed& missed) {
 /// What each of several supplies feeds: of one the quantities tell it.
 void print_supplies(std::ostream& out, const Result& result) {
   if (result.supplies.size() < 2) return;
+  const DisplayUnit unit = display_unit("supply_flow", "m3/s");
   std::vector<std::string> lines;
   for (std::size_t k = 0; k < result.supplies.size(); ++k) {
     const bearing::SupplyState& s = result.supplies[k];
-    std::string line = fmt::format("supply.{}: {} m3/s into the film", k, figures(s.flow, 4));
+    std::string line =
+        fmt::format("supply.{}: {} {} into the film", k, figures(unit(s.flow)), unit.unit);
     if (std::isfinite(s.T_mixed)) {
       line += fmt::format(", its oil mixed to {:.1f} degC", s.T_mixed - kZeroCelsius);
     }

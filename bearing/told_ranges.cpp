@@ -164,7 +164,7 @@ void add_joined_supplies(const BearingModel& m, std::vector<Note>& out) {
 /// the pressure itself.
 double shear_strain(const ShellLayer& layer, double p_max, double p_slope) {
   const solid::Material& m = layer.material;
-  const double G = m.youngs_modulus / (2.0 * (1.0 + m.poisson_ratio));
+  const double G = m.shear_modulus();
   const double push = m.poisson_ratio / (1.0 - m.poisson_ratio);
   return push * std::min(layer.thickness * p_slope, p_max) / (2.0 * G);
 }

@@ -75,7 +75,7 @@ struct Indicators {
 double layer_compliance(const ShellLayer& layer, double B) {
   const solid::Material& m = layer.material;
   const double t = layer.thickness;
-  const double shear = m.youngs_modulus / (2.0 * (1.0 + m.poisson_ratio));
+  const double shear = m.shear_modulus();
   return t * solid::confined_compliance(m) + 8.0 * t * t * t / (3.0 * shear * B * B);
 }
 
@@ -141,7 +141,7 @@ double shaft_sag(const Case& c) {
   const double load = 2.0 * R * c.bearing.width;  // per pressure
   const double middle = 0.25 * load * (*c.shaft->span - half);
   const double section = kPi * R * R;
-  const double G = 0.5 * m.youngs_modulus / (1.0 + m.poisson_ratio);
+  const double G = m.shear_modulus();
   return 0.5 * half * half *
          (middle / (m.youngs_modulus * 0.25 * section * R * R) + 2.0 * R / (kShear * G * section));
 }

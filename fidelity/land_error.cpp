@@ -132,6 +132,15 @@ CellsOfSupplies cells_of_supplies(const bearing::Case& c, const std::array<int, 
   return cells_of_supplies(bearing::film_grid(c, cells), bearing::supply_map(c, cells));
 }
 
+std::array<int, 2> with_lands_cut(const bearing::Case& c, std::array<int, 2> cells, int most) {
+  constexpr int kCut = 3;
+  for (std::array<int, 2> finer = cells; finer[1] <= most; ++finer[1]) {
+    const int lands = cells_of_supplies(c, finer).lands;
+    if (lands == 0 || lands >= kCut) return finer;
+  }
+  return cells;
+}
+
 double open_past_lands(int m, bool heated, bool torn, const std::string& name) {
   if (m == 0) return 0.0;
   const bool of_heat = heated && (is_friction(name) || is_of_heat(name));

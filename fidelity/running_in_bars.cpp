@@ -5,7 +5,10 @@
 #include <utility>
 
 #include "bearing/bearing.hpp"
+#include "bearing/over_time/cycle_numbers.hpp"
+#include "core/bracketed_root.hpp"
 #include "core/contract.hpp"
+#include "core/round_off.hpp"
 #include "fidelity/cycle_bars.hpp"
 #include "fidelity/edge_error.hpp"
 #include "fidelity/light_contact.hpp"
@@ -51,13 +54,58 @@ bool touches_lightly(const RunningInRun& run) {
          kLight * named(*run.cycle, "friction_torque")->quantity.size();
 }
 
+/// The case with the surface that it has at `state`.
+Case as_worn(const Case& c, const RunningInState& state) {
+  Case worn = c;
+  worn.surfaces.shell = worn_surface(c, state.depth);
+  return worn;
+}
+
 void widen_bars_of_light_contact(const Case& c, const RunningInRun& run, States& bars) {
   if (!c.surfaces.contact || !touches_lightly(run)) return;
-  Case worn = c;
   for (std::size_t k = 0; k < bars.size(); ++k) {
-    worn.surfaces.shell = worn_surface(c, run.states[k].depth);
-    const double open = left_open_by_film(*contact_of(worn), run.states[k].h_min, bars[k].h_min);
+    const double open = left_open_by_film(*contact_of(as_worn(c, run.states[k])),
+                                          run.states[k].h_min, bars[k].h_min);
     bars[k].p_asperity_max = larger(bars[k].p_asperity_max, open);
+  }
+}
+
+/// Gap at which summits are pressed as hard as the limit of the wear, between that of `state` and
+/// by how much its bar `open` leaves it lower [m].
+double gap_at_limit(const Case& c, const RunningInState& state, double open) {
+  const solid::AsperityContact contact = *contact_of(as_worn(c, state));
+  const double limit = c.running_in->limit_pressure;
+  return root_between([&](double h) { return contact.at(h).p - limit; }, state.h_min - open,
+                      state.h_min, kRoundOff * state.h_min);
+}
+
+/// What could have worn by now if the gap had stood by `open` lower all the time [m].
+double worn_by_now(const Case& c, const RunningInState& state, double open) {
+  if (!c.running_in->duration) return INFINITY;
+  const double speed =
+      c.cycle ? cycle_numbers(*c.cycle, c.operation.omega).mean_sliding : c.operation.omega;
+  const double p = contact_of(as_worn(c, state))->at(state.h_min - open).p;
+  return c.running_in->wear_coefficient / hardness_of_shell(c) * std::abs(speed) *
+         c.bearing.radius * std::max(0.0, p - c.running_in->limit_pressure) * state.t;
+}
+
+/// What hardly touches may wear on a finer grid whose film is lower by its bar: until it stands
+/// where the limit of the wear does, if there is the time. Two grids on which nothing wears agree
+/// on that, whatever the film.
+void widen_bars_of_wear(const Case& c, const RunningInRun& run, States& bars) {
+  if (!c.surfaces.contact || !touches_lightly(run)) return;
+  const FilmGrid& g = run.cycle ? run.cycle->fields.grid : run.solution.model.domain.grid;
+  const Field& gap = run.cycle ? run.cycle->fields.h_min : run.solution.film.gap.cell;
+  for (std::size_t k = 1; k < bars.size(); ++k) {
+    const double open = bars[k].h_min;
+    if (!std::isfinite(open)) continue;
+    const double stands = gap_at_limit(c, run.states[k], open) + open;
+    const double most = worn_by_now(c, run.states[k], open);
+    const auto left = [&](double h) { return std::clamp(stands - h, 0.0, most); };
+    Field wear;
+    for (const double h : gap) wear.push_back(left(h));
+    bars[k].depth = larger(bars[k].depth, left(run.states[k].h_min));
+    bars[k].volume = larger(bars[k].volume, worn_volume(g, wear));
   }
 }
 
@@ -191,6 +239,7 @@ RunningInBars running_in_bars(const Case& c, const RunningInRun& run, const Solv
         bars_of_grids(coarse.usual, run.states, c.model.grid, hidden_at_edge(run), kFollowedStates);
     share(run, Of::grid, land_error(c), bars.grid);
     widen_bars_of_light_contact(c, run, bars.grid);
+    widen_bars_of_wear(c, run, bars.grid);
     bars.time = States(run.states.size());  // a worn-in shape has no steps
     if (!steps.empty()) {
       bars.time = unknown<RunningInState>(run.states.size(), kFollowedStates);

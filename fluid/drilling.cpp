@@ -1,31 +1,70 @@
 /// Mouths of drillings that turn with the journal; declared in supply.hpp.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/constants.hpp"
+#include "core/round_off.hpp"
 #include "fluid/supply.hpp"
 
 namespace shellback::fluid {
 namespace {
 
+/// Which mouth holds a cell: of those that reach over it, as widened ones on coarse grids may
+/// together, that whose middle is the nearest; of equally near ones that of the higher pressure.
+/// None is asked which comes first in the case.
+class Held {
+ public:
+  explicit Held(int cells)
+      : owner_(cells, -1), distance_(cells, std::numeric_limits<double>::infinity()) {}
+
+  void take(int cell, int patch, double distance, const std::vector<SupplyPatch>& patches) {
+    const bool nearer = distance < (1.0 - kRoundOff) * distance_[cell];
+    const bool as_near = distance <= (1.0 + kRoundOff) * distance_[cell];
+    const bool higher =
+        as_near && patches[patch].pressure > patches[std::max(owner_[cell], 0)].pressure;
+    if (nearer || higher) owner_[cell] = patch, distance_[cell] = distance;
+  }
+  [[nodiscard]] int by(int cell) const { return owner_[cell]; }  ///< -1: by none
+
+ private:
+  std::vector<int> owner_;
+  Field distance_;  ///< [m]
+};
+
 /// One mouth over the grid.
 class Placing {
  public:
-  Placing(const FilmGrid& g, const SupplyPatch& s, const SupplyMap& supply, const Field& K)
-      : g_(g), s_(s), supply_(supply), K_(K), radius_(0.5 * std::max(s.length, cell_diagonal(g))) {}
+  Placing(const FilmGrid& g, int patch, const SupplyMap& supply, const Field& K)
+      : g_(g),
+        s_(supply.patches[patch]),
+        patch_(patch),
+        supply_(supply),
+        K_(K),
+        radius_(0.5 * std::max(s_.length, cell_diagonal(g))) {}
 
-  /// G of cell (i, j).
-  [[nodiscard]] double conductance(int i, int j) const {
+  /// Takes the cells that the mouth reaches over.
+  void take(Held& held) const {
+    for (int c = 0; c < g_.cells(); ++c) {
+      const double x = along(c / g_.nz), z = g_.z[c % g_.nz] - s_.z;
+      if (inside(x, z)) held.take(c, patch_, std::hypot(x, z), supply_.patches);
+    }
+  }
+
+  /// G of cell (i, j): of its links to cells that this mouth holds, or of all of them if it is one
+  /// of these.
+  [[nodiscard]] double conductance(int i, int j, const Held& held) const {
     const double x = along(i);
     const double z = g_.z[j] - s_.z;
-    const bool within = inside(x, z);
+    const int holder = held.by(g_.index(i, j));
+    if (holder >= 0 && holder != patch_) return 0.0;
     double sum = 0.0;
     const auto link = [&](double other_x, double other_z, double width, int other) {
       if (supply_.cell[other] >= 0) return;  // a groove stands there, whatever the mouth does
       const double d = std::abs(other_x - x) + std::abs(other_z - z);
-      if (within) {
+      if (holder == patch_) {
         sum += width / (kShortestReach * d);
-      } else if (inside(other_x, other_z)) {
+      } else if (held.by(other) == patch_) {
         const bool axial = other_x == x;
         const double across = axial ? x : z;
         const double off = std::abs(axial ? z : x);
@@ -54,6 +93,7 @@ class Placing {
 
   const FilmGrid& g_;
   const SupplyPatch& s_;
+  int patch_;
   const SupplyMap& supply_;
   const Field& K_;
   double radius_;
@@ -68,22 +108,20 @@ double cell_diagonal(const FilmGrid& g) {
 
 void place_mouths(const FilmGrid& g, const Field& K, SupplyMap& supply) {
   supply.mouths.clear();
-  std::vector<int> at(g.cells(), -1);
-  for (int k = 0; k < static_cast<int>(supply.patches.size()); ++k) {
-    if (!supply.patches[k].moving) continue;
-    const Placing placing(g, supply.patches[k], supply, K);
+  Held held(g.cells());
+  const auto each = [&](const auto& visit) {
+    for (int k = 0; k < static_cast<int>(supply.patches.size()); ++k) {
+      if (supply.patches[k].moving) visit(k, Placing(g, k, supply, K));
+    }
+  };
+  each([&](int, const Placing& mouth) { mouth.take(held); });
+  each([&](int k, const Placing& mouth) {
     for (int c = 0; c < g.cells(); ++c) {
       if (supply.cell[c] >= 0) continue;
-      const double G = placing.conductance(c / g.nz, c % g.nz);
-      if (!(G > 0.0)) continue;
-      if (at[c] < 0) {
-        at[c] = static_cast<int>(supply.mouths.size());
-        supply.mouths.push_back({c, k, G});
-      } else if (G > supply.mouths[at[c]].conductance) {
-        supply.mouths[at[c]] = {c, k, G};
-      }
+      const double G = mouth.conductance(c / g.nz, c % g.nz, held);
+      if (G > 0.0) supply.mouths.push_back({c, k, G});
     }
-  }
+  });
 }
 
 }  // namespace shellback::fluid

@@ -13,7 +13,8 @@
 /// distance r from the unknown:
 ///   G = sum of K L (1/r - 1/d)                                             [kg/(s Pa)] (2)
 /// K the conductance of a square of film, L the width of the link. As the mouth moves, r and with
-/// it the flow change without jumps. Valid while the mouth is wider than a cell's diagonal.
+/// it the flow change without jumps. Valid while the mouth is wider than a cell's diagonal. Where two
+/// reach over one unknown it is the nearer one's, of equally near ones that of the higher pressure.
 #include <vector>
 
 #include "core/fitted_faces.hpp"
@@ -50,7 +51,7 @@ struct SupplyMap {
   /// Per patch: the first of those that it touches, one by way of another; itself if none.
   std::vector<int> touching;
   bool has_lines = false;
-  std::vector<Mouth> mouths;  ///< of moving patches as they stand; one a cell at most
+  std::vector<Mouth> mouths;  ///< of moving patches as they stand; several a cell between them
   /// Distance from the unknown of a film cell to the edge of the patch in the cell beside it, along
   /// the link between the two [m]; per west face of a cell, and per axial face, i (nz + 1) + j.
   /// Half the film cell where a face is the edge; the circle itself where a round hole's edge cuts

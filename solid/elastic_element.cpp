@@ -13,7 +13,7 @@ using Strain = Eigen::Matrix<double, 6, 24>;
 
 Stiffness hooke(const Material& m) {
   const double nu = m.poisson_ratio;
-  const double mu = 0.5 * m.youngs_modulus / (1.0 + nu);
+  const double mu = m.shear_modulus();
   const double lambda = 2.0 * mu * nu / (1.0 - 2.0 * nu);
   Stiffness d = Stiffness::Zero();
   d.topLeftCorner<3, 3>().setConstant(lambda);

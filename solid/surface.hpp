@@ -2,6 +2,8 @@
 /// Roughness of one surface and of the pair, as the contact and the flow factors need it.
 #include <optional>
 
+#include "solid/material.hpp"
+
 namespace shellback::solid {
 
 /// One rough surface. Orientation is Peklenik's gamma: length over width of the asperities,
@@ -31,9 +33,9 @@ struct GenericFriction {
 struct ContactParameters {
   double elastic_factor = 0.0;     ///< K = 16 sqrt2 pi/15 (sigma beta eta)^2 sqrt(sigma/beta) [-]
   double composite_modulus = 0.0;  ///< E* [Pa]
-  double friction = 0.0;           ///< constant boundary friction coefficient [-]
+  double friction = kNotGiven;     ///< constant boundary friction coefficient [-]
   ContactIntegral integral = ContactIntegral::exact;
-  double hardness = 0.0;           ///< limit of the contact pressure; 0: none [Pa]
+  double hardness = 0.0;                          ///< limit of the contact pressure; 0: none [Pa]
   std::optional<GenericFriction> friction_law{};  ///< takes the place of the constant
 };
 

@@ -11,7 +11,9 @@
 #include "app/reading/sweep_case.hpp"
 #include "bearing/case_limits.hpp"
 #include "fidelity/auto_tier.hpp"
+#include "fidelity/grid_error.hpp"
 #include "fidelity/grid_sequence.hpp"
+#include "fidelity/land_error.hpp"
 #include "fidelity/tolerance.hpp"
 
 namespace shellback::app {
@@ -20,6 +22,7 @@ using bearing::Case;
 using bearing::Comparison;
 using bearing::Result;
 using bearing::Tier;
+using fidelity::kFineGrid;
 using fidelity::RelativeBars;
 using fidelity::Shortfall;
 
@@ -64,6 +67,16 @@ bool nodes_at_most(const Case& c) {
   return c.model.film_nodes + fidelity::kMoreNodes > bearing::kValueRanges.film_nodes[1];
 }
 
+/// ", in some 60 times the time": where a grid is so much finer that whoever copies the command
+/// ought to know.
+std::string long_words(const std::array<int, 2>& grid, const std::array<int, 2>& own) {
+  constexpr double kTold = 10.0;   // times [-]
+  constexpr double kGrowth = 1.2;  // of the time with the cells (docs/benchmark.md: 1.1 to 1.7) [-]
+  const double cells = static_cast<double>(grid[0]) * grid[1] / (own[0] * own[1]);
+  const double times = std::pow(cells, kGrowth);
+  return times < kTold ? "" : fmt::format(", in some {} times the time", figures(times, 1));
+}
+
 /// The same command with the grid and the nodes proposed, or, where there are no finer ones, with a
 /// tolerance that they keep. `rest`: words that the command needs besides.
 void take_grid(const Case& c, const Shortfall& s, const std::string& command,
@@ -81,18 +94,21 @@ void take_grid(const Case& c, const Shortfall& s, const std::string& command,
                      {"model.tolerance"});
     return;
   }
+  const std::array<int, 2> grid =
+      s.grid == own ? own : fidelity::with_lands_cut(c, s.grid, std::max(kFineGrid[1], s.grid[1]));
   missed.outlook =
       s.expected > s.tolerance
           ? fmt::format("the finest grid worth its time leaves about +-{}", percent(s.expected))
           : fmt::format("expected to meet it, if bars fall as the cells' size lets expect (+-{})",
                         percent(s.expected));
+  missed.outlook += long_words(grid, own);
   std::string words = rest;
   std::vector<std::string> replaced;
   const auto put = [&](const char* key, const std::string& value) {
     words += (words.empty() ? "" : " ") + set_words(key, value);
     replaced.emplace_back(key);
   };
-  if (s.grid != own) put(kGrid, grid_words(s.grid));
+  if (grid != own) put(kGrid, grid_words(grid));
   if (s.more_nodes) put(kNodes, std::to_string(c.model.film_nodes + fidelity::kMoreNodes));
   missed.command = command_line(command, c, words, replaced);
 }

@@ -27,7 +27,7 @@ int auto_honesty(const Request& request) {
   }
   const auto trials = validation::judge_auto(study);
   if (terminal) std::cerr << "\r                      \r";
-  if (request.json != "-") validation::write_auto_honesty(std::cout, trials, study);
+  if (prints_tables(request)) validation::write_auto_honesty(std::cout, trials, study);
   outputs.give("--json", [&] { return validation::auto_honesty_json(trials, study); });
   if (study.stop->load()) {
     std::cerr << fmt::format("interrupted: {} of {} cases are finished\n", trials.size(),

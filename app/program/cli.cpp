@@ -35,6 +35,12 @@ int work(const Request& request) {
       return check(request);
     case Command::run:
       return run(request);
+    case Command::report:
+      return report(request);
+    case Command::export_film:
+      return export_film(request);
+    case Command::help:
+      return help(request);
     case Command::compare:
       return compare(request);
     case Command::auto_honesty:

@@ -129,6 +129,16 @@ void add_chart(CLI::App& app, Request& request) {
   add_threads(*chart, request, "threads for the references; timed solves run one at a time");
 }
 
+/// `rows`: how many.
+void add_coefficients_table(CLI::App& command, Request& request, const std::string& rows) {
+  command
+      .add_option("--coefficients-table", request.coefficients_table,
+                  "write them for rotordynamics programs, " + rows +
+                      ": frequency [rad/s], kxx to cyy [N/m, N s/m], the columns of a bearing in "
+                      "ROSS")
+      ->type_name("FILE.csv");
+}
+
 void add_coefficients(CLI::App& command, Request& request) {
   command.add_flag("--coefficients", request.coefficients,
                    "also stiffness, damping and whirl threshold (as model.coefficients = true)");
@@ -150,6 +160,7 @@ void add_sweep(CLI::App& app, Request& request) {
       "error bars of the physics left out beside those of the grid; takes several times as long");
   sweep->add_flag("--no-bars", request.no_bars, "no error bars: for speed alone")->excludes(bars);
   add_coefficients(*sweep, request);
+  add_coefficients_table(*sweep, request, "a row a speed, with --vary operation.speed alone");
   add_state(*sweep, request, "a sweep over load cycles");
   sweep->add_option("-o", request.output, "write all results over the grid (HDF5)")
       ->type_name("FILE.h5");
@@ -281,14 +292,6 @@ void add_study(CLI::App& app, Request& request) {
       ->check(CLI::Range(1, kMostThreads));
 }
 
-void add_coefficients_table(CLI::App& command, Request& request) {
-  command
-      .add_option("--coefficients-table", request.coefficients_table,
-                  "write them as a row for rotordynamics programs: frequency [rad/s], kxx to cyy "
-                  "[N/m, N s/m], the columns of a bearing in ROSS")
-      ->type_name("FILE.csv");
-}
-
 void add_init(CLI::App& app, Request& request) {
   auto* init = app.add_subcommand("init", "list the shipped cases, or write one to start from");
   init->add_option("NAME", request.name, "shipped case; without it they are listed");
@@ -308,7 +311,7 @@ void add_run(CLI::App& app, Request& request) {
   run->add_option("--tier", request.tier, kTierWords);
   run->add_option("-o", request.output, "write all fields (HDF5)")->type_name("FILE.h5");
   add_coefficients(*run, request);
-  add_coefficients_table(*run, request);
+  add_coefficients_table(*run, request, "one row");
   run->add_flag("--transient", request.transient,
                 "warm up in time: shell, housing and shaft from one temperature to the steady "
                 "state (tiers thd and tehd)");
@@ -328,9 +331,14 @@ void add_run(CLI::App& app, Request& request) {
   run->add_option("--hold", request.hold, "time for which each of --speeds is held: \"20 min\"")
       ->type_name("TIME");
   run->add_option("--picture", request.picture,
-                  "draw the transient, the running-in or the load cycle (SVG)")
+                  "draw it: the steady film, the load cycle, the transient, the running-in (SVG)")
       ->type_name("FILE.svg");
-  run->add_option("--page", request.page, "write the load cycle as a page, film in motion (HTML)")
+  run->add_option("--csv", request.csv,
+                  "write what a load cycle, a transient or a running-in follows over time as a "
+                  "table; - is standard output")
+      ->type_name("FILE.csv");
+  run->add_option("--page", request.page,
+                  "write the steady state or the load cycle, its film in motion, as a page (HTML)")
       ->type_name("FILE.html");
   add_state(*run, request, "a load cycle, a running-in or a transient");
 }
@@ -408,6 +416,30 @@ void add_surface(CLI::App& app, Request& request) {
       ->check(CLI::Range(1, kMostThreads));
 }
 
+void add_report(CLI::App& app, Request& request) {
+  auto* report = app.add_subcommand("report", "one page of a result file, from that file alone");
+  report->add_option("FILE.h5", request.case_file, "result of run -o (HDF5)")->required();
+  report->add_option("-o", request.output, "the page (HTML)")->type_name("FILE.html")->required();
+  add_force(*report, request);
+}
+
+void add_export(CLI::App& app, Request& request) {
+  auto* out = app.add_subcommand("export", "the film of a result file for ParaView");
+  out->add_option("FILE.h5", request.case_file, "result of run -o (HDF5)")->required();
+  out->add_option("--vtu", request.vtu, "folder for film.vtu and, of a load cycle, film.pvd")
+      ->type_name("FOLDER")
+      ->required();
+  add_force(*out, request);
+}
+
+void add_help(CLI::App& app, Request& request) {
+  auto* help =
+      app.add_subcommand("help", "the reference of the case file: help keys [SECTION ...]");
+  auto* keys = help->add_subcommand("keys", "all keys of a case, their units and defaults");
+  keys->add_option("SECTION", request.names, "bearing, supply, oil, ... (default: all)");
+  help->require_subcommand(1);
+}
+
 /// A command as it is offered.
 struct Offer {
   std::string name;
@@ -422,6 +454,9 @@ const std::vector<Offer> kOffers{
     {"sweep", Command::sweep, add_sweep},
     {"identify", Command::identify, add_identify},
     {"surface", Command::surface, add_surface},
+    {"report", Command::report, add_report},
+    {"export", Command::export_film, add_export},
+    {"help", Command::help, add_help},
     {"auto-honesty", Command::auto_honesty, add_auto_honesty},
     {"honesty", Command::honesty, add_honesty},
     {"chart", Command::chart, add_chart},

@@ -9,8 +9,11 @@ namespace shellback::program {
 
 [[nodiscard]] int chart(const Request& request);
 [[nodiscard]] int check(const Request& request);
+[[nodiscard]] int export_film(const Request& request);
+[[nodiscard]] int help(const Request& request);
 [[nodiscard]] int honesty(const Request& request);
 [[nodiscard]] int identify(const Request& request);
+[[nodiscard]] int report(const Request& request);
 [[nodiscard]] int run(const Request& request);
 [[nodiscard]] int compare(const Request& request);
 [[nodiscard]] int auto_honesty(const Request& request);

@@ -102,7 +102,7 @@ int compare_over_cycle(const Request& request, const std::string& text, const Ca
                   files_of_case(text, request.case_file, overrides_of(request), tiers));
   tell_warnings(subject);
   const CycleComparison comparison = cycles_compared(subject, tiers, keeper);
-  if (request.json != "-") write_comparison_table(std::cout, subject, comparison.sums);
+  if (prints_tables(request)) write_comparison_table(std::cout, subject, comparison.sums);
   int code = kDone;
   for (const CycleResult& r : comparison.cycles) {
     tell_verdict(r.tier, r.verdict);
@@ -133,7 +133,7 @@ int compare(const Request& request) {
   tell_warnings(subject);
   if (tiers.empty()) tiers = default_tiers(subject);
   const Comparison comparison = solve_all(subject, tiers);
-  if (request.json != "-") write_comparison_table(std::cout, subject, comparison);
+  if (prints_tables(request)) write_comparison_table(std::cout, subject, comparison);
   int code = kDone;
   for (const Result& result : comparison.results) {
     tell_verdict(result);

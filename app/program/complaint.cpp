@@ -22,6 +22,28 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
+/// The first thing that the command cannot do without; `otherwise` if it is none of its options.
+std::string what_is_missing(const CLI::App& command, const std::string& otherwise) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_required() || option->count() > 0) continue;
+    if (!option->get_positional()) {
+      return fmt::format("{} is missing: shellback {} ... {} {}", option->get_name(),
+                         command.get_name(), option->get_name(), option->get_type_name());
+    }
+    const std::string name = option->get_name(true);
+    const bool map = name == "MAP", given = name == "CASE";
+    return fmt::format("the {} file is missing: shellback {} {}",
+                       map     ? "map's"
+                       : given ? "case"
+                               : "result",
+                       command.get_name(),
+                       map     ? "MAP.csv"
+                       : given ? "CASE.toml"
+                               : name);
+  }
+  return otherwise;
+}
+
 }  // namespace
 
 bool is_blank(const std::string& text) { return text.find_first_not_of(' ') == text.npos; }
@@ -46,13 +68,8 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
     return (option ? "there is no option " : "there is one word too many: ") + in_quotes(word) +
            (option ? choices_for(word, option_names(command), "options here") : "");
   }
-  if (command.get_name() != "init" && !chosen.empty() &&
-      dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
-    const bool map = command.get_name() == "surface";
-    return fmt::format("the {} file is missing: shellback {} {}", map ? "map's" : "case",
-                       command.get_name(), map ? "MAP.csv" : "CASE.toml");
-  }
-  return error.what();
+  const bool lacks = dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  return lacks ? what_is_missing(command, error.what()) : error.what();
 }
 
 }  // namespace shellback::program

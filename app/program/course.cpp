@@ -14,6 +14,7 @@
 #include "app/reading/units.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/write_course.hpp"
+#include "app/write_curves.hpp"
 #include "app/write_instants.hpp"
 #include "core/contract.hpp"
 #include "fidelity/march_bars.hpp"
@@ -118,11 +119,13 @@ int course(const Request& request, const WarmUpOptions& options) {
     run = run_course(stretches, first.model.tier, options, control);
     bars = fidelity::march_bars(stretches, options, run, control);
   }
-  if (request.json != "-") write_course_table(std::cout, stretches, run, bars);
+  if (prints_tables(request)) write_course_table(std::cout, stretches, run, bars);
   if (!run.end.verdict.good()) {
     tell_end("course", app::end_words(run.end, bars), run.end.verdict);
   }
   outputs.give("--json", [&] { return course_json(stretches, options, run, bars); });
+  outputs.give("--csv",
+               [&] { return curves_csv(curves_of(run.instants, bars, kFollowedInstants)); });
   outputs.give("--picture", [&] { return course_svg(stretches, run, bars); });
   const bool late = run.end.verdict.good() && bars.interrupted;
   const int code = outputs.code(late ? kInterrupted : code_of(run.end.verdict));

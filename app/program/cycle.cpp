@@ -9,6 +9,7 @@
 #include "app/program/run_keeper.hpp"
 #include "app/program/session.hpp"
 #include "app/reading/read_case.hpp"
+#include "app/write_curves.hpp"
 #include "app/write_cycle_hdf5.hpp"
 #include "app/write_cycle_html.hpp"
 #include "app/write_cycle_json.hpp"
@@ -38,10 +39,11 @@ int cycle(const Request& request, const std::string& text, const Case& subject) 
                   files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(subject);
   const CycleResult result = solved(subject, keeper);
-  if (request.json != "-") write_cycle_table(std::cout, subject, result);
+  if (prints_tables(request)) write_cycle_table(std::cout, subject, result);
   tell_verdict(result.tier, result.verdict);
   outputs.give("--json", [&] { return cycle_json(subject, result); });
   outputs.give("-o", [&] { return cycle_hdf5(subject, result); });
+  outputs.give("--csv", [&] { return curves_csv(curves_of(subject, result)); });
   outputs.give("--picture", [&] { return cycle_svg(subject, result); });
   outputs.give("--page", [&] { return cycle_html(subject, result); });
   const int code = outputs.code(code_of(result.verdict, result.warnings));

@@ -102,7 +102,7 @@ int honesty(const Request& request) {
     };
     return measure_honesty(cases, options);
   }();
-  if (request.json != "-") write_honesty_table(std::cout, record);
+  if (prints_tables(request)) write_honesty_table(std::cout, record);
   outputs.give("-o", [&] { return honesty_svg(record); });
   outputs.give("--json", [&] { return honesty_json(record); });
   if (const int cut = record.count(CaseEnd::stopped); cut > 0) {

@@ -82,7 +82,7 @@ int identify(const Request& request) {
   std::vector<double> x;
   for (const FittedKey& key : keys) x.push_back(key.value.start);
   const IdentifyView view{given, keys, table, end, keys_that_move_cells(case_at, keys, x)};
-  if (request.json != "-" && request.csv != "-") write_identify_table(std::cout, view);
+  if (prints_tables(request)) write_identify_table(std::cout, view);
   outputs.give("--json", [&] { return identify_json(view); });
   outputs.give("--csv", [&] { return identify_csv(view); });
   outputs.give("--picture", [&] { return identify_svg(view); });

@@ -21,6 +21,7 @@ Format main_format(Command command) {
     case Command::sweep:
       return Format::hdf5;
     case Command::compare:
+    case Command::report:
     case Command::study:
     case Command::validate:
       return Format::html;

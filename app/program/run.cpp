@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "app/check.hpp"
+#include "app/pictures/svg_comparison.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
 #include "app/program/session.hpp"
@@ -11,6 +12,7 @@
 #include "app/words/ending_words.hpp"
 #include "app/write_coefficients.hpp"
 #include "app/write_hdf5.hpp"
+#include "app/write_html.hpp"
 #include "app/write_json.hpp"
 #include "app/write_table.hpp"
 #include "core/contract.hpp"
@@ -38,7 +40,7 @@ int give_coefficients(Outputs& outputs, const Result& result) {
     std::cerr << "error: no stiffness and damping: " << reason_of(k.verdict) << "\n";
     return kNotConverged;
   }
-  outputs.give("--coefficients-table", [&] { return coefficients_csv(k); });
+  outputs.give("--coefficients-table", [&] { return coefficients_csv({k}); });
   return kDone;
 }
 
@@ -56,22 +58,17 @@ void expect_no_transient(const Request& request) {
   }
 }
 
-/// Pictures are of what changes in time.
+/// What belongs to something that goes on in time.
 void expect_steady(const Request& request) {
-  if (!request.picture.empty()) {
-    throw InputError("--picture",
-                     "belongs to a transient or a load cycle; add --transient, or [load_cycle] to "
-                     "the case");
+  if (!request.csv.empty()) {
+    throw InputError("--csv",
+                     "belongs to what goes on in time: a load cycle, --transient or --running-in; "
+                     "a steady state is a row of sweep (--vary KEY=VALUE --csv FILE.csv)");
   }
   if (request.resume || !request.state.empty()) {
     throw InputError(
         request.resume ? "--resume" : "--state",
         "belongs to a load cycle, a running-in or a transient; a steady state is solved anew");
-  }
-  if (!request.page.empty()) {
-    throw InputError("--page",
-                     "belongs to a load cycle, and the case has none; compare writes a page of "
-                     "steady states");
   }
 }
 
@@ -95,13 +92,17 @@ int run(const Request& request) {
     ProgressLine line;
     return fidelity::solve_case(subject, control_for(line));
   }();
-  if (result.verdict.good() && request.json != "-") write_table(std::cout, subject, result);
-  if (!result.verdict.good() && request.json != "-") {
+  if (result.verdict.good() && prints_tables(request)) write_table(std::cout, subject, result);
+  if (!result.verdict.good() && prints_tables(request)) {
     std::cout << "not converged: there is no result to print\n";
   }
   tell_verdict(result);
   outputs.give("--json", [&] { return result_json(subject, result); });
   outputs.give("-o", [&] { return result_hdf5(subject, result); });
+  Comparison alone;
+  alone.results = {result};
+  outputs.give("--picture", [&] { return comparison_svg(subject, alone); });
+  outputs.give("--page", [&] { return comparison_html(subject, alone); });
   const int code = code_of(result.verdict, result.warnings);
   return outputs.code(code == kDone ? give_coefficients(outputs, result) : code);
 }

@@ -12,6 +12,7 @@
 #include "app/program/session.hpp"
 #include "app/reading/case_text.hpp"
 #include "app/reading/read_case.hpp"
+#include "app/write_curves.hpp"
 #include "app/write_running_in.hpp"
 #include "core/contract.hpp"
 #include "fidelity/running_in_bars.hpp"
@@ -26,11 +27,12 @@ namespace {
 
 /// What else `run` writes belongs to one state.
 void expect_running_in_outputs(const Request& request) {
-  refuse_options({{"-o", !request.output.empty()},
-                  {"--transient", request.transient},
-                  {"--page", !request.page.empty()}},
-                 "a running-in writes --json, --picture and --profile; give the profile to a case "
-                 "as bearing.shape and run that for all else");
+  refuse_options(
+      {{"-o", !request.output.empty()},
+       {"--transient", request.transient},
+       {"--page", !request.page.empty()}},
+      "a running-in writes --json, --csv, --picture and --profile; give the profile to a case "
+      "as bearing.shape and run that for all else");
 }
 
 /// The cycle of the last state: how it was told, and its audit.
@@ -135,7 +137,7 @@ int running_in(const Request& request) {
              [&](const RunningInRun& so_far) { latest = so_far.states.back(); });
   const fidelity::RunningInBars bars = fidelity::running_in_bars(subject, run, control);
   progress.wipe();
-  if (!run.states.empty() && request.json != "-") {
+  if (!run.states.empty() && prints_tables(request)) {
     std::cout << subject.title << '\n';
     app::print_scene(std::cout, subject);
     fmt::print(std::cout, "running-in, tier {}, grid {} x {}\n\n", to_string(subject.model.tier),
@@ -150,10 +152,11 @@ int running_in(const Request& request) {
                  run.complementarity);
     }
   }
-  if (!run.states.empty() && request.json != "-") tell_what_is_worn(subject, run);
+  if (!run.states.empty() && prints_tables(request)) tell_what_is_worn(subject, run);
   if (!run.verdict.good()) tell_verdict(subject.model.tier, run.verdict);
   outputs.give("--json", [&] { return running_in_json(subject, run, bars); });
   if (!run.states.empty()) {
+    outputs.give("--csv", [&] { return curves_csv(curves_of(run.states, bars, kFollowedStates)); });
     outputs.give("--picture", [&] { return running_in_svg(subject, run, bars); });
     outputs.give("--profile", [&] { return worn_shape_csv(subject, run); });
   }

@@ -89,7 +89,7 @@ int stress(const Request& request) {
   }
   const StressMap map = stress_map(scenes, options);
   if (terminal) fmt::print(stderr, "\r\x1b[K");
-  if (request.csv != "-" && request.json != "-") {
+  if (prints_tables(request)) {
     std::cout << stress_summary(map) << "\n";
     print_open_cells(map);
   }

@@ -59,7 +59,7 @@ int study_rig(const Request& request) {
     ProgressLine line;
     return run_rig_study(study_options(request, line, keepers));
   }();
-  if (request.json != "-") write_rig_tables(std::cout, done);
+  if (prints_tables(request)) write_rig_tables(std::cout, done);
   outputs.give("-o", [&] { return rig_page(done); });
   outputs.give("--json", [&] { return rig_json(done); });
   const int code = ended(outputs, done.interrupted, done.count_failed());
@@ -74,7 +74,7 @@ int study_shells(const Request& request) {
     ProgressLine line;
     return run_shells_study(study_options(request, line, keepers));
   }();
-  if (request.json != "-") write_shells_tables(std::cout, done);
+  if (prints_tables(request)) write_shells_tables(std::cout, done);
   outputs.give("-o", [&] { return shells_page(done); });
   outputs.give("--json", [&] { return shells_json(done); });
   const int code = ended(outputs, done.interrupted, done.count_failed());

@@ -90,7 +90,7 @@ int surface(const Request& request) {
     std::cerr << "interrupted: the flow factors are not finished; nothing is written\n";
     return kInterrupted;
   }
-  if (request.json != "-" && request.csv != "-") write_surface_table(std::cout, report);
+  if (prints_tables(request)) write_surface_table(std::cout, report);
   outputs.give("--json", [&] { return surface_json(report); });
   outputs.give("--picture", [&] { return surface_svg(report); });
   if (!request.csv.empty()) {

@@ -14,6 +14,7 @@
 #include "app/reading/case_text.hpp"
 #include "app/reading/read_axis.hpp"
 #include "app/reading/sweep_case.hpp"
+#include "app/write_coefficients.hpp"
 #include "app/write_csv.hpp"
 #include "app/write_json.hpp"
 #include "app/write_sweep_hdf5.hpp"
@@ -99,12 +100,29 @@ void warn_of_one_measurement(const bearing::Case& subject, const std::vector<Axi
                "measured.shell_back_temperature of the case\n";
 }
 
+/// A table of coefficients has no column for anything but the speed.
+void expect_rows_of_speeds(const Request& request, const std::vector<Axis>& axes) {
+  const bool speeds = axes.size() == 1 && axes.front().key == "operation.speed";
+  if (speeds || request.coefficients_table.empty()) return;
+  throw InputError("--coefficients-table",
+                   "its rows differ by the speed alone: --vary operation.speed=FROM..TO/N and "
+                   "nothing else");
+}
+
 void give_files(Outputs& outputs, const std::string& text, const bearing::Case& subject,
                 const Sweep& sweep) {
   outputs.give("-o", [&] { return sweep_hdf5(subject, sweep); });
   outputs.give("--csv", [&] { return sweep_csv(sweep); });
   outputs.give("--picture", [&] { return sweep_svg(text, subject, sweep); });
   outputs.give("--json", [&] { return sweep_json(subject, sweep); });
+  outputs.give("--coefficients-table", [&] {
+    std::vector<bearing::Coefficients> known;
+    for (const study::SweepPoint& point : sweep.points) {
+      const auto& k = point.result.coefficients;
+      if (point.good() && k && k->verdict.good()) known.push_back(*k);
+    }
+    return coefficients_csv(known);
+  });
 }
 
 }  // namespace
@@ -113,6 +131,7 @@ int sweep(const Request& request) {
   const std::vector<Override> set = overrides_of(request);
   const std::vector<Axis> axes = parse_axes(request.vary, set);
   if (!request.picture.empty()) expect_drawable(axes);
+  expect_rows_of_speeds(request, axes);
   const std::string text = read_text_file(request.case_file);
   const bearing::Case subject = sweep_subject(text, request.case_file, set, axes);
   expect_bars_of_points(request, subject, axes);
@@ -128,7 +147,7 @@ int sweep(const Request& request) {
   const Sweep done =
       solve_all(axes, case_source(text, request.case_file, set, axes),
                 request.cores > 0 ? request.cores : hardware_threads(), request, keepers);
-  if (request.json != "-" && request.csv != "-") write_sweep_table(std::cout, subject, done);
+  if (prints_tables(request)) write_sweep_table(std::cout, subject, done);
   give_files(outputs, text, subject, done);
   if (done.interrupted) std::cerr << "interrupted: " << count_words(done) << "\n";
   const bool failed = !done.interrupted && done.count_failed() > 0;

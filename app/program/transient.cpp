@@ -14,6 +14,7 @@
 #include "app/reading/units.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
+#include "app/write_curves.hpp"
 #include "app/write_instants.hpp"
 #include "app/write_warm_up.hpp"
 #include "bearing/case_limits.hpp"
@@ -40,9 +41,10 @@ double given(const std::string& option, const std::string& text, const Kind& kin
 
 /// What else `run` writes belongs to the steady state.
 void expect_transient_outputs(const Request& request) {
-  refuse_options({{"-o", !request.output.empty()}, {"--page", !request.page.empty()}},
-                 "a transient writes --json and --picture; leave out --transient for the steady "
-                 "state's");
+  refuse_options(
+      {{"-o", !request.output.empty()}, {"--page", !request.page.empty()}},
+      "a transient writes --json, --csv and --picture; leave out --transient for the steady "
+      "state's");
 }
 
 WarmUpOptions warm_up_options(const Request& request) {
@@ -142,11 +144,13 @@ int transient(const Request& request) {
   if (!stopped) steady = steady_state(subject, control, keeper);
   const fidelity::MarchBars bars = fidelity::march_bars(subject, options, run, control);
   progress.wipe();
-  if (request.json != "-") print_warm_up(subject, run, bars, steady);
+  if (prints_tables(request)) print_warm_up(subject, run, bars, steady);
   if (!run.end.verdict.good()) {
     tell_end("transient", app::end_words(run.end, bars), run.end.verdict);
   }
   outputs.give("--json", [&] { return warm_up_json(subject, run, options, bars, steady); });
+  outputs.give("--csv",
+               [&] { return curves_csv(curves_of(run.instants, bars, kFollowedInstants)); });
   outputs.give("--picture", [&] { return warm_up_svg(subject, run, bars, steady); });
   const bool late = run.end.verdict.good() &&
                     (bars.interrupted || code_of(steady.verdict, steady.warnings) == kInterrupted);

@@ -27,9 +27,6 @@ void list_entries(const std::vector<Entry>& entries, const std::vector<UnrunData
     std::cout << fmt::format("  {}: {}\n", gap.title, gap.reason);
 }
 
-/// What stands on standard output stands alone.
-bool prints_tables(const Request& request) { return request.json != "-" && request.csv != "-"; }
-
 /// The ledger's files, and the cases that lie elsewhere.
 std::vector<std::string> inputs_of(const std::string& ledger, const std::vector<Entry>& entries) {
   std::vector<std::string> inputs = app::files_below(ledger);

@@ -7,6 +7,7 @@
 #include "app/reading/load_table.hpp"
 #include "app/reading/sections.hpp"
 #include "bearing/over_time/cycle_numbers.hpp"
+#include "bearing/shown.hpp"
 #include "core/contract.hpp"
 
 namespace shellback::app {
@@ -164,6 +165,18 @@ std::optional<CrankFrame> read_frame(const Section& file, const std::optional<Se
   return frame;
 }
 
+/// Loads are what the table or the crank says: the weight of what moves with the journal is none of
+/// them. Told where it would count.
+void tell_weight(const Section& file, double omega, const LoadCycle& c) {
+  constexpr double kGravity = 9.80665;  // [m/s2]
+  constexpr double kCounts = 0.01;      // of the largest load: the usual tolerance [-]
+  const double weight = kGravity * c.journal_mass;
+  if (weight <= kCounts * cycle_numbers(c, omega).largest) return;
+  file.reader().assumptions.push_back(
+      fmt::format("the weight of load_cycle.journal_mass, {}, is no part of the load",
+                  bearing::shown(weight, "N")));
+}
+
 }  // namespace
 
 double read_instant(const Section& section, const std::string& key, const std::string& text,
@@ -197,6 +210,7 @@ std::optional<LoadCycle> read_load_cycle(const Section& file, double omega) {
   const double factor = section ? read_factor(*section) : 1.0;
   for (double& x : c.x) x *= factor;
   for (double& y : c.y) y *= factor;
+  tell_weight(file, omega, c);
   return c;
 }
 

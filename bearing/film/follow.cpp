@@ -29,12 +29,6 @@ constexpr double kTurn = 0.1;
 constexpr double kBend = 0.5;
 constexpr std::array kCloser{0.003, 0.01, 0.03};  ///< of the gap: a little closer [-]
 
-/// What a state is, without what follows from it.
-struct Reached {
-  FilmEquilibrium film;
-  HeatState heat;
-};
-
 /// Carries temperatures, growth, surfaces and journal of `s`, which stands at `last`, on in a
 /// straight line from `before`, by `part` of the way between the two.
 void carry_on(const Reached& before, const Reached& last, double part, Solution& s) {

@@ -19,6 +19,12 @@ struct Limit {
   bool bound = false;   ///< by a bound of the equations
 };
 
+/// A state that was reached, without what follows from it.
+struct Reached {
+  FilmEquilibrium film;
+  HeatState heat;
+};
+
 struct Solution {
   BearingModel model;
   OperatingPoint point;

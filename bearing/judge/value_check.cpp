@@ -18,7 +18,8 @@ void ValueCheck::refuse(const char* key, const std::string& problem,
 
 void ValueCheck::number(const char* key, double value, const char* unit, const Range& range) const {
   if (!std::isfinite(value)) {
-    refuse(key, fmt::format("{} is not a finite number", value));
+    refuse(key, std::isnan(value) ? "it is not given, or no number"
+                                  : fmt::format("{} is not a finite number", value));
   } else if (!range.holds(value)) {
     refuse(key, fmt::format("{} is not possible (it must {})", shown(value, unit), range.words));
   }

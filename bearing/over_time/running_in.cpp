@@ -34,6 +34,11 @@ void expect_running_in(const Case& c, Tier tier) {
   if (tier != Tier::isothermal && tier != Tier::thd && tier != Tier::tehd) {
     throw InputError("model.tier", "running-in needs a solved film; take isothermal, thd or tehd");
   }
+  if (c.cycle && !c.cycle->repeats()) {
+    throw InputError("running_in.until",
+                     "a single event does not run a bearing in: wear needs a mean over a cycle; "
+                     "give load_cycle.period, or leave out [load_cycle] and give operation.load");
+  }
 }
 
 RunningInRun run_in(const Case& c, Tier tier, const SolveControl& control,

@@ -34,10 +34,6 @@ class HeatSearch {
   /// True if along_branch has found the beginning of one, on this grid.
   [[nodiscard]] bool branch_begun() const { return has_own_limit(s_); }
   /// Film and heat as they stand.
-  struct Reached {
-    FilmEquilibrium film;
-    HeatState heat;
-  };
   [[nodiscard]] Reached here() const { return {s_.film, s_.heat}; }
   void back_to(Reached at);
 

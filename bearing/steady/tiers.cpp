@@ -47,7 +47,7 @@ Verdict steady_heat(Solution& s, Level level, const SolveControl& control) {
   if (search.over(direct)) return direct;
   const Verdict along = search.may_follow() ? search.along_branch() : direct;
   if (search.over(along) || level.coarse) return along;
-  const HeatSearch::Reached end = search.here();
+  const Reached end = search.here();
   const Verdict in_time = search.through_time();
   // Where no branch begins, what the warming bearing comes to in time stands for itself.
   const bool ran_away = in_time.status == Status::no_steady_state && !search.branch_begun();

@@ -358,6 +358,20 @@ TEST_CASE("ABearingAtRestMayBeSqueezed") {
   CHECK(c.crank_speed == 0.0);
 }
 
+TEST_CASE("AJournalsWeightThatCountsIsSaidToBeNoPartOfTheLoad") {
+  // 200 kg weigh 1961 N, twice the largest load of 1 kN; 0.9 kg weigh 9 N, less than its hundredth.
+  const std::string rows = "angle [deg], load_x [N], load_y [N]\n0, 0, -1000\n180, 0, -500\n";
+  const auto said = [&](const char* mass) {
+    const ScratchFolder folder;
+    const auto c = read(folder, kInDegrees + "journal_mass = \"" + mass + "\"\n", rows);
+    return std::any_of(c.assumptions.begin(), c.assumptions.end(), [](const std::string& s) {
+      return s.find("1961 N, is no part of the load") != std::string::npos;
+    });
+  };
+  CHECK(said("200 kg"));
+  CHECK_FALSE(said("0.9 kg"));
+}
+
 TEST_CASE("ALoadThroughZeroNeedsAJournalsMass") {
   const std::string rows =
       "angle [deg], load_x [N], load_y [N]\n0, 0, -1000\n90, 0, -500\n180, 0, 900\n270,500,0\n";

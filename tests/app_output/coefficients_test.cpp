@@ -47,7 +47,7 @@ std::vector<std::string> fields(const std::string& line) {
 }  // namespace
 
 TEST_CASE("TheTableOfCoefficientsHasTheColumnsOfRoss", "[coefficients]") {
-  std::istringstream text(app::coefficients_csv(sample()));
+  std::istringstream text(app::coefficients_csv({sample()}));
   std::string head;
   std::string row;
   std::getline(text, head);
@@ -61,6 +61,19 @@ TEST_CASE("TheTableOfCoefficientsHasTheColumnsOfRoss", "[coefficients]") {
     CHECK(std::stod(values[k]) == Approx(expected[k]).epsilon(1e-8));  // digits written
   }
   CHECK_FALSE(std::getline(text, row));
+}
+
+TEST_CASE("TheTableOfCoefficientsRisesWithTheSpeed", "[coefficients]") {
+  bearing::Coefficients slow = sample(), fast = sample();
+  slow.omega = 10.0;
+  fast.omega = 20.0;
+  std::istringstream text(app::coefficients_csv({fast, slow}));
+  std::string row;
+  std::getline(text, row);
+  for (const double omega : {10.0, 20.0}) {
+    std::getline(text, row);
+    CHECK(std::stod(fields(row).front()) == omega);
+  }
 }
 
 TEST_CASE("JsonHasBothMatricesWithTheirUnits", "[coefficients]") {

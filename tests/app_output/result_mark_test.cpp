@@ -56,12 +56,18 @@ TEST_CASE("EveryFormatIsKnownAsAResult") {
   CHECK(is_result(marked(Format::html, app::comparison_html(c, comparison))));
   CHECK(is_result(marked(Format::svg, svg)));
   CHECK(is_result(marked(Format::png, app::png_of(svg))));
+  CHECK(is_result(marked(Format::vtk, "<?xml version=\"1.0\"?>\n<VTKFile/>\n")));
+  CHECK_FALSE(is_result("<?xml version=\"1.0\"?>\n<VTKFile/>\n"));
   CHECK(is_result(marked(Format::markdown, "# Map\n")));
   CHECK(is_result(marked(Format::csv, "a,b\n1,2\n")));
   bearing::Coefficients k;
   k.omega = -314.159;
   k.K = {{{1.5e8, -2.0}, {0.0, 3e-7}}};
-  CHECK(is_result(marked(Format::coefficients, app::coefficients_csv(k))));
+  CHECK(is_result(marked(Format::coefficients, app::coefficients_csv({k}))));
+  CHECK(is_result(marked(Format::coefficients, app::coefficients_csv({k, k, k}))));
+  CHECK(is_result(app::coefficients_csv(std::vector(2000, k))));  // longer than what is looked at
+  CHECK_FALSE(is_result(app::coefficients_csv({})));
+  CHECK_FALSE(is_result(app::coefficients_csv({k}) + "1,2,3,4,5,6,7,8,9\n"));  // of another hand
 }
 
 TEST_CASE("FilesOfOthersAreNotTakenForResults") {

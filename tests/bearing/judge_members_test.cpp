@@ -28,6 +28,35 @@ std::string refused_key(Case c, Change change) {
 
 }  // namespace
 
+TEST_CASE("WhatNobodySetIsRefusedWhereZeroWouldBeAValue") {
+  // A shaft without expansion: mean opening +17 um for -5, and nothing was said.
+  CHECK(refused_key(rig_case(), [](Case&) {}).empty());
+  CHECK(refused_key(rig_case(), [](Case& c) {
+          c.shaft->material = {"steel", 50.0, 7850.0, 460.0, 210e9};
+        }) == "shaft.material.poisson_ratio");
+  CHECK(refused_key(rig_case(), [](Case& c) {
+          c.shaft->material = {"steel", 50.0, 7850.0, 460.0, 210e9, 0.3};
+        }) == "shaft.material.expansion");
+  CHECK(refused_key(rig_case(), [](Case& c) { c.shaft->material.expansion = 0.0; }).empty());
+  CHECK(refused_key(rig_case(), [](Case& c) {
+          c.surfaces.contact = solid::ContactParameters{0.001, 53.3e9};
+        }) == "surfaces.contact.friction");
+}
+
+TEST_CASE("AnEventIsSolvedBesideARunningInThatNobodyAskedFor") {
+  // `run` of a coating that flows is sent to a single event, and its case says how it would wear.
+  Case c = rig_case();
+  c.running_in = RunningIn{1e-8, 350e6, 60.0, 0.0, {}, 0.0};
+  LoadCycle event;
+  event.t = {0.0, 0.01};
+  event.x = {0.0, 0.0};
+  event.y = {-1000.0, -2000.0};
+  CHECK(refused_key(c, [&](Case& x) { x.cycle = event; }).empty());
+  c.cycle = event;
+  CHECK_THROWS_WITH(expect_running_in(c, Tier::isothermal),
+                    Catch::StartsWith("running_in.until: a single event"));
+}
+
 TEST_CASE("WornDepthsAreJudgedAsAShape") {
   const auto key = [](Profile p) {
     return refused_key(rig_case(), [&](Case& x) { x.bearing.wear = p; });

@@ -202,19 +202,3 @@ TEST_CASE("TheShapeWornInOverACycleWithHeatIsFound") {
   CHECK(end.states.back().p_asperity_max == Approx(2e6).epsilon(1e-4));
   CHECK(end.cycle->audit.energy < 1e-8);
 }
-
-TEST_CASE("WearOverACycleNeedsAPeriod") {
-  const auto refused = [](const Case& c) {
-    for (const Finding& f : judge(c, {Tier::isothermal})) {
-      if (f.refused() && f.key == "running_in.until") return true;
-    }
-    return false;
-  };
-  Case c = cycle_case(6e3, 5e3);
-  CHECK_FALSE(refused(c));
-  c.running_in->duration.reset();
-  c.running_in->limit_pressure = 5e6;
-  CHECK_FALSE(refused(c));
-  c.cycle->period = std::numeric_limits<double>::infinity();
-  CHECK(refused(c));
-}

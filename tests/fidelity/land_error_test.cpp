@@ -43,6 +43,18 @@ TEST_CASE("FilmsWithoutGroovesHaveNoErrorOfLands", "[land_error]") {
   CHECK(usual.sides == 0.0);
 }
 
+TEST_CASE("AProposedGridCutsLandsIntoThreeCells", "[land_error]") {
+  const Case c = pad_case(18.0);  // lands of 5 mm
+  const std::array<int, 2> few{60, 9}, cut = fidelity::with_lands_cut(c, few, 100);
+  REQUIRE(fidelity::cells_of_supplies(c, few).lands < 3);
+  CHECK(fidelity::cells_of_supplies(c, cut).lands == 3);
+  CHECK(fidelity::cells_of_supplies(c, {cut[0], cut[1] - 1}).lands < 3);  // no more than it takes
+  CHECK(cut[0] == few[0]);
+  CHECK(fidelity::with_lands_cut(c, cut, 100) == cut);
+  CHECK(fidelity::with_lands_cut(c, few, 9) == few);               // they do not do
+  CHECK(fidelity::with_lands_cut(plain_case(), few, 100) == few);  // there is no land
+}
+
 TEST_CASE("FlowsOfHolesOfOneRowAreKnownToAFifth", "[land_error]") {
   CHECK(lands_of(plain_case(), {60, 9}).holes == 0.0);
   const auto one = lands_of(hole_case(), {60, 9}), two = lands_of(hole_case(), {140, 19}),

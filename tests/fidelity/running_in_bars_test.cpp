@@ -125,6 +125,27 @@ TEST_CASE("ContactAtANewBearingsEdgesIsAsSureAsTheFilmThere", "[running_in]") {
   CHECK(std::abs(fine.p_asperity_max - first.p_asperity_max) < bars.grid.front().p_asperity_max);
 }
 
+TEST_CASE("GridsOnWhichNothingWearsDoNotAgreeThatNothingDoes", "[running_in]") {
+  // The sharp edges of even cells hardly touch, on no grid so coarse by as much as the limit: the
+  // wear is 0 on each of them, and 0 +- 0 was told; finer ones wear.
+  Case c = rubbing_case();
+  c.model.grid = {60, 9};
+  c.operation.omega = 1500.0 * kPi / 30.0;  // the edges hardly rub
+  c.running_in->duration = 1.0;
+  c.running_in->limit_pressure = 2.0 * run_of(c).states.front().p_asperity_max;
+  c.running_in->duration = 3000.0;
+  const RunningInRun run = run_of(c);
+  REQUIRE(run.states.back().depth == 0.0);
+  const fidelity::RunningInBars bars = fidelity::running_in_bars(c, run);
+  REQUIRE(bars.grid.size() == run.states.size());
+  c.model.grid = {100, 25};
+  const RunningInState fine = run_of(c).states.back();
+  CAPTURE(fine.depth, fine.volume, c.running_in->limit_pressure);
+  REQUIRE(fine.depth > 1e-8);
+  CHECK(fine.depth < bars.grid.back().depth);
+  CHECK(fine.volume < bars.grid.back().volume);
+}
+
 TEST_CASE("WhatHardlyWearsDoesNotTellHowWellItsFilmIsKnown", "[running_in]") {
   // At 3000 rpm and a third of the load nothing touches: depth, volume and contact are chance.
   Case c = rubbing_case();

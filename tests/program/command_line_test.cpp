@@ -90,13 +90,6 @@ TEST_CASE("AMisspeltCommandIsRefusedWithTheRightOne") {
   check_words({"frobnicate"}, {"no command", "init, check, run, compare"});
 }
 
-TEST_CASE("CommandsOfLaterReleasesAreNotOffered") {
-  for (const char* word : {"report", "export"}) {
-    check_words({word}, {"no command"});
-    CHECK(read_command_line({"--help"}).words.find(word) == std::string::npos);
-  }
-}
-
 TEST_CASE("AMisspeltOptionIsRefusedWithTheRightOne") {
   check_words({"run", "case.toml", "--jsno", "x"}, {"no option \"--jsno\"", "\"--json\"?"});
   check_words({"run", "case.toml", "--tire=thd"}, {"no option \"--tire\"", "\"--tier\"?"});

@@ -28,7 +28,7 @@ TEST_CASE("ALoadCycleHasNoStiffnessAndDamping") {
   CHECK_THROWS_WITH(cycle(request, kSampleCase, subject), Catch::StartsWith("--coefficients"));
 }
 
-TEST_CASE("PicturesAndPagesAreOfWhatChangesInTime") {
+TEST_CASE("TablesAndTimesAreOfWhatChangesInTime") {
   const ScratchFolder scratch;
   const std::string file = scratch.write("case.toml", kSampleCase);
   const auto said_of = [&](const std::vector<std::string>& options) {
@@ -39,8 +39,7 @@ TEST_CASE("PicturesAndPagesAreOfWhatChangesInTime") {
     CHECK(ended.out.empty());
     return ended.err;
   };
-  check_parts(said_of({"--picture", scratch.path("a.svg")}), {"--picture", "load cycle"});
-  check_parts(said_of({"--page", scratch.path("a.html")}), {"--page", "load cycle"});
+  check_parts(said_of({"--csv", scratch.path("a.csv")}), {"--csv", "load cycle", "sweep"});
   check_parts(said_of({"--page", scratch.path("a.html"), "--transient"}), {"--page"});
   check_parts(said_of({"--until", "2 s"}), {"--until", "--transient"});
   check_parts(said_of({"--speeds", "2000 rpm"}), {"--speeds", "--transient"});

@@ -1,0 +1,184 @@
+#include "app/write_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "app/html_page.hpp"
+#include "app/html_tables.hpp"
+#include "app/labels/quantity_label.hpp"
+#include "app/pictures/svg_film.hpp"
+#include "app/pictures/svg_lines.hpp"
+#include "app/pictures/svg_map.hpp"
+#include "core/largest.hpp"
+
+namespace shellback::app {
+namespace {
+
+constexpr double kReportMap = 232.0;    ///< height [px]
+constexpr double kReportCurve = 220.0;  ///< height [px]
+
+std::string failure_of(const StoredResult& result) {
+  if (result.converged) return "";
+  return failure_html(result.tier + ": NOT CONVERGED: " + result.status,
+                      {result.reason, result.place, result.cure},
+                      "Its numbers and fields are those of the last iterate, not a result.");
+}
+
+std::string quantity_row(const StoredQuantity& q) {
+  const bearing::Quantity& of = q.quantity;
+  const DisplayUnit unit = display_unit(of.name, of.unit, std::abs(of.value));
+  return fmt::format(
+      "<tr data-quantity=\"{}\"><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
+      "<td class=\"unit\">{}</td><td>{}</td></tr>\n",
+      escape_markup(of.name), escape_markup(quantity_label(of.name)),
+      typeset_number(figures(unit(of.value))), bar_cell(unit.scale * of.error_grid),
+      bar_cell(unit.scale * of.error_time), bar_cell(unit.scale * of.error_model),
+      escape_markup(typeset_unit(unit.unit)),
+      std::isfinite(q.at)
+          ? escape_markup(fmt::format("{} {}", figures(q.at), typeset_unit(q.at_unit)))
+          : "");
+}
+
+std::string quantities_table(const StoredResult& result) {
+  if (result.quantities.empty()) return "";
+  std::string html =
+      "<div class=\"scroll\"><table><thead><tr><th>quantity</th><th>value</th><th>grid</th>"
+      "<th>time steps</th><th>physics</th><th class=\"unit\">unit</th><th>at</th></tr></thead>"
+      "<tbody>\n";
+  for (const StoredQuantity& q : result.quantities) html += quantity_row(q);
+  return html + "</tbody></table></div>\n";
+}
+
+Field shown_values(const std::vector<double>& values, const DisplayUnit& unit) {
+  Field out;
+  for (const double v : values) out.push_back(unit(v));
+  return out;
+}
+
+/// The scale of what is drawn; depths of supplies are no gaps.
+ColourScale field_scale(const StoredResult& result, const StoredValues& field,
+                        const Field& values) {
+  if (field.name == "theta") return {kCool, 0.0, 1.0};
+  const StoredValues* supplied = field.name.starts_with("h") ? result.field("supplied") : nullptr;
+  double low = INFINITY, high = -INFINITY;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (!std::isfinite(values[k]) || (supplied != nullptr && supplied->values[k] != 0.0)) continue;
+    low = std::min(low, values[k]);
+    high = std::max(high, values[k]);
+  }
+  if (low > high) low = high = 0.0;
+  const bool warm = field.units == "K";
+  if (!warm) low = std::min(low, 0.0);
+  const Axis range = tight_axis(low, high, 8, "");  // widened if the field is constant
+  return {warm ? kWarm : kCool, range.low, range.high};
+}
+
+Axis axial_axis(const FilmGrid& grid) {
+  return tight_axis(1e3 * grid.z_face.front(), 1e3 * grid.z_face.back(), 5, "z [mm]");
+}
+
+/// A field over phi and another coordinate.
+std::string map_of(const StoredResult& result, const StoredValues& field) {
+  const DisplayUnit unit = display_unit(field.name, field.units);
+  const Field values = shown_values(field.values, unit);
+  FieldMap map;
+  map.title = field.long_name;
+  map.unit = typeset_unit(unit.unit);
+  map.scale = field_scale(result, field, values);
+  map.x = degree_axis();
+  if (field.axes == "phi r") {
+    Field r;
+    for (const double x : result.r) r.push_back(1e3 * x);
+    map.surface = around(result.grid, r, values);
+    map.y = tight_axis(r.front(), r.back(), 5, "r [mm]");
+  } else {
+    map.surface = unrolled(result.grid, values);
+    map.y = axial_axis(result.grid);
+  }
+  return figure_html(kColumnWidth, kReportMap, map.title, "",
+                     [&](Svg& svg, const Box& box) { draw_map(svg, box, map, page_theme()); });
+}
+
+std::string maps_of(const StoredResult& result) {
+  std::string html;
+  for (const StoredValues& field : result.fields) {
+    const bool drawn = field.axes == "phi z" || (field.axes == "phi r" && result.r.size() > 1);
+    if (!drawn || field.name == "supplied" || field.values.empty()) continue;
+    html += map_of(result, field);
+  }
+  if (const StoredValues* T = result.field("T"); T != nullptr && result.s.size() > 1) {
+    bearing::Result film;
+    film.fields.grid = result.grid;
+    film.fields.s = result.s;
+    film.fields.T = T->values;
+    const FieldMap across = across_film_map(film, "temperature across the film at mid-width");
+    html += figure_html(kColumnWidth, kReportMap, across.title, "", [&](Svg& svg, const Box& box) {
+      draw_map(svg, box, across, page_theme());
+    });
+  }
+  return figures_html(html);
+}
+
+std::string curves_over_cycle(const StoredResult& result) {
+  const auto named = [&](const char* name) {
+    return std::find_if(result.series.begin(), result.series.end(),
+                        [&](const StoredValues& s) { return s.name == name; });
+  };
+  const bool crank = named("angle") != result.series.end();
+  const auto x = named(crank ? "angle" : "t");
+  if (x == result.series.end() || x->values.size() < 2) return "";
+  const Theme theme = page_theme();
+  std::string html;
+  for (const StoredValues& series : result.series) {
+    if (series.name == "t" || series.name == "angle") continue;
+    const DisplayUnit unit =
+        display_unit(series.name, series.units, largest_magnitude(series.values));
+    LinePlot plot;
+    plot.title = series.long_name;
+    plot.x =
+        tight_axis(x->values.front(), x->values.back(), 8, crank ? "crank angle [°]" : "time [s]");
+    plot.y_title = "[" + typeset_unit(unit.unit) + "]";
+    plot.from_zero = false;
+    plot.series = {{"", x->values, shown_values(series.values, unit), theme.series.front(), ""}};
+    html += figure_html(kColumnWidth, kReportCurve, series.long_name, "",
+                        [&](Svg& svg, const Box& box) { draw_lines(svg, box, plot, theme); });
+  }
+  return figures_html(html);
+}
+
+std::string audit_told(const StoredResult& result) {
+  std::string figures_told, cost;
+  for (const auto& [name, value] : result.audit) {
+    if (!std::isfinite(value)) continue;
+    figures_told += fmt::format("{}{} {:.1e}", figures_told.empty() ? "" : ", ", name, value);
+  }
+  for (const auto& [name, value] : result.cost) {
+    std::string words = name;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    cost += fmt::format("{}{} {}", cost.empty() ? "" : ", ", words, figures(value, 3));
+  }
+  const std::string grid = result.grid.cells() > 0
+                               ? fmt::format("Grid {} × {}. ", result.grid.nt, result.grid.nz)
+                               : std::string();
+  return fmt::format("<p>Relative imbalances: {}.</p>\n<p>{}{}.</p>\n", escape_markup(figures_told),
+                     grid, escape_markup(cost));
+}
+
+}  // namespace
+
+std::string report_html(const StoredResult& result) {
+  std::string html = page_head(result.title, {result.scene, result.changes}, "result");
+  html += failure_of(result);
+  html += page_section("Quantities, tier " + escape_markup(result.tier), quantities_table(result));
+  html += notes_html(result.warnings, result.limiters, result.assumptions);
+  html += page_section("Over the cycle", curves_over_cycle(result));
+  html += page_section("On the unrolled bearing", maps_of(result));
+  html += page_section("Audit and cost", audit_told(result));
+  html += page_section("Effects", effects_html(result.effects));
+  return html + page_foot(result.provenance, result.verbatim);
+}
+
+}  // namespace shellback::app

@@ -19,7 +19,7 @@ using namespace hdf5;
 using Sorted = nlohmann::json;
 
 constexpr const char* kFormat = "shellback state";
-constexpr int kVersion = 40;  ///< of the order in which values stand on the tape
+constexpr int kVersion = 41;  ///< of the order in which values stand on the tape
 
 /// The bits of numbers, as text.
 std::string bits_of(const std::vector<double>& x) {

@@ -8,7 +8,8 @@ void close_split(const Torque& start, const Torque& end, FrictionSplit& split) {
   const FrictionStep asperities{"asperity share", end.asperity - start.asperity};
   const bool known = std::all_of(split.steps.begin(), split.steps.end(),
                                  [](const FrictionStep& s) { return std::isfinite(s.change); });
-  if (!known) split.steps = {{"oil, clearance and elasticity together", end.viscous - start.viscous}};
+  if (!known)
+    split.steps = {{"oil, clearance and elasticity together", end.viscous - start.viscous}};
   split.steps.push_back(asperities);
 }
 

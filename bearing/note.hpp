@@ -108,6 +108,18 @@ struct LongEvent {
   double straight = 0.0;  ///< and how deep it may [m]
 };
 
+/// Cycles that go on differing by more than kClosed, by chance.
+struct CyclesWander {
+  double closure = 0.0;  ///< CycleResult::closure [-]
+};
+
+/// Shell and housing are joined in the model; as warm as they are nothing presses them together.
+struct JointPulls {
+  double pressure = 0.0;  ///< by which the joint would pull [Pa]
+  double joined = 0.0;    ///< opening of the bore by heat, as it is told [m]
+  double loose = 0.0;     ///< of a shell that grows by itself [m]
+};
+
 /// Tier estimate of a steady bearing.
 struct EstimateOfFilm {
   std::string regime;
@@ -353,6 +365,6 @@ using Note = std::variant<
     note::TierTaken, note::BarsFromFinerGrid, note::RicherNotFound, note::EffectsNotJudged,
     note::ScalarsOfFinerGrid, note::ToleranceNotMet, note::LandUnseen, note::SuppliesJoined,
     note::HardlySliding, note::SupplyTakesBack, note::ColdClearance, note::ShaftSwing,
-    note::LongEvent, note::LoadMissed, note::EstimateOfFilm, note::EstimateWithoutMass>;
+    note::LongEvent, note::CyclesWander, note::JointPulls, note::LoadMissed, note::EstimateOfFilm, note::EstimateWithoutMass>;
 
 }  // namespace shellback::bearing

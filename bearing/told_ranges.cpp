@@ -11,6 +11,7 @@
 #include "fluid/patir_cheng.hpp"
 #include "rheology/density.hpp"
 #include "rheology/viscosity.hpp"
+#include "solid/joined_rings.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -239,6 +240,28 @@ std::vector<Note> input_warnings(const Case& c, const Physics& physics) {
 void add_layer_of_constant_thickness(const BearingModel& m, std::vector<Note>& assumptions) {
   if (!m.physics.thermal_deformation || !pressed_layer(m.input, 0)) return;
   assumptions.emplace_back(note::Plain::layer_keeps_thickness);
+}
+
+void add_joint_that_pulls(const BearingModel& m, double bore, double back,
+                          std::vector<Note>& assumptions) {
+  const Case& c = m.input;
+  const bool grows = m.physics.thermal_deformation && c.shell && c.shell->housing &&
+                     c.shell->housing->support != HousingSupport::clamped;
+  if (!grows || !std::isfinite(bore) || !std::isfinite(back)) return;
+  const double fitted = c.bearing.reference_temperature;
+  std::vector<solid::Ring> rings;
+  double outer = c.bearing.radius;
+  for (const ShellLayer& layer : c.shell->layers) {
+    outer += layer.thickness;
+    rings.push_back({layer.material, outer, 0.5 * (bore + back) - fitted});
+  }
+  const double loose = solid::joined_rings(c.bearing.radius, rings).opening;
+  rings.push_back({c.shell->housing->material, c.shell->housing->outer_radius, back - fitted});
+  const solid::JoinedRings joined = solid::joined_rings(c.bearing.radius, rings);
+  const double pull = -joined.pressures.back();
+  const double moved = std::abs(joined.opening - loose);
+  if (!(pull > 0.0) || moved < c.model.tolerance * c.bearing.radial_clearance) return;
+  assumptions.emplace_back(note::JointPulls{pull, joined.opening, loose});
 }
 
 void add_temperature_of_edge_oil(const BearingModel& m, Tier tier, std::vector<Note>& assumptions) {

@@ -40,6 +40,12 @@ struct FilmReach {
 /// Its own growth in thickness is left out: an assumption of models that have both.
 void add_layer_of_constant_thickness(const BearingModel& m, std::vector<Note>& assumptions);
 
+/// That shell and housing stay joined where heat would part them, from mean temperatures of bore
+/// and back of the shell [K], if that moves the bore by more than model.tolerance of the clearance.
+/// Rings at one temperature each, the housing at that of the joint (solid/joined_rings.hpp).
+void add_joint_that_pulls(const BearingModel& m, double bore, double back,
+                          std::vector<Note>& assumptions);
+
 /// How warm oil is taken to be that comes in at a side edge; nothing where the film's temperature
 /// is given.
 void add_temperature_of_edge_oil(const BearingModel& m, Tier tier, std::vector<Note>& assumptions);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "bearing/bearing.hpp"
+#include "bearing/over_time/cycle_endings.hpp"
 #include "bearing/over_time/cycle_search.hpp"
 #include "bearing/physics.hpp"
 #include "core/contract.hpp"
@@ -286,6 +287,9 @@ bool put_bars_of_steps(const Case& c, const SolvedCycle& usual, double most_work
   add_between_instants(r);
   add_unsettled_walls(c, r);
   if (c.cycle->repeats()) add_gathered_oil(r);
+  if (r.closure > kClosed) {  // one of cycles that differ by chance is told
+    for (CycleQuantity& q : r.quantities) q.quantity.error_time += r.closure * q.quantity.size();
+  }
   widen_bars_of_power(r);
   if (!c.cycle->step) {
     // The film of one instant is off by what its step may err, whatever other steps give.

@@ -13,8 +13,9 @@
 /// distance r from the unknown:
 ///   G = sum of K L (1/r - 1/d)                                             [kg/(s Pa)] (2)
 /// K the conductance of a square of film, L the width of the link. As the mouth moves, r and with
-/// it the flow change without jumps. Valid while the mouth is wider than a cell's diagonal. Where two
-/// reach over one unknown it is the nearer one's, of equally near ones that of the higher pressure.
+/// it the flow change without jumps. Valid while the mouth is wider than a cell's diagonal. Where
+/// two reach over one unknown it is the nearer one's, of equally near ones that of the higher
+/// pressure.
 #include <vector>
 
 #include "core/fitted_faces.hpp"

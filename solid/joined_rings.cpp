@@ -23,9 +23,7 @@ class Lame {
   [[nodiscard]] double outside_by_inner() const {
     return b_ / m_.youngs_modulus * 2.0 * a_ * a_ / d_;
   }
-  [[nodiscard]] double outside_by_outer() const {
-    return -b_ / m_.youngs_modulus * (sum() - nu());
-  }
+  [[nodiscard]] double outside_by_outer() const { return -b_ / m_.youngs_modulus * (sum() - nu()); }
 
  private:
   [[nodiscard]] double sum() const { return (b_ * b_ + a_ * a_) / d_; }
@@ -48,7 +46,8 @@ JoinedRings joined_rings(double bore, const std::vector<Ring>& rings) {
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(joints, joints);
   Eigen::VectorXd gap(joints);  // u(a) of the outer ring less u(b) of the inner one, both free
   for (Eigen::Index k = 0; k < joints; ++k) {
-    const Lame &in = lame[static_cast<std::size_t>(k)], &out = lame[static_cast<std::size_t>(k) + 1];
+    const Lame &in = lame[static_cast<std::size_t>(k)],
+               &out = lame[static_cast<std::size_t>(k) + 1];
     A(k, k) = in.outside_by_outer() - out.inside_by_inner();
     if (k > 0) A(k, k - 1) = in.outside_by_inner();
     if (k + 1 < joints) A(k, k + 1) = -out.inside_by_outer();

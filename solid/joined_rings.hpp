@@ -20,8 +20,9 @@ struct Ring {
 };
 
 struct JoinedRings {
-  double opening = 0.0;           ///< of the bore [m]
-  std::vector<double> pressures;  ///< of the joints, from the bore outwards; below zero they pull [Pa]
+  double opening = 0.0;  ///< of the bore [m]
+  std::vector<double>
+      pressures;  ///< of the joints, from the bore outwards; below zero they pull [Pa]
 };
 
 /// `bore`: inner radius of the first ring [m]. Needs one ring and more, of rising radii.

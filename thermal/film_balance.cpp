@@ -62,6 +62,7 @@ EnergyBalance FilmEnergy::balance(const std::vector<double>& T) const {
       for (int k = 0; k < n_; ++k) {
         const std::size_t at = static_cast<std::size_t>(cell) * n_ + k;
         b.heat += p_.heat[at];
+        if (!p_.thinning.empty()) b.heat -= p_.thinning[at] * (T[at] - p_.T_reference);
         if (!p_.storage) continue;
         const double after = p_.storage->mass[cell] * p_.cp[at] * (T[at] - p_.T_reference);
         b.stored += p_.gl->w[k] * after / p_.storage->dt - brought_[at];

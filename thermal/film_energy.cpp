@@ -262,7 +262,7 @@ void FilmEnergy::build_column(int i, int j) {
   const auto schur = [&](int wall, const double* by_wall) {
     double row[kMostNodes];
     matrix_row(cell, wall, row);
-    double response = p_.conductance[cell] * stiffness_[wall * n + wall];
+    double response = p_.conductance[cell] * stiffness_[wall * n + wall] + thins(cell, wall);
     if (p_.storage) {
       response += gl.w[wall] * (store + gained) * p_.cp[static_cast<std::size_t>(cell) * n + wall];
     }
@@ -364,6 +364,7 @@ void FilmEnergy::matrix_row(int cell, int k, double* row) const {
     row[l] = (1.0 - b) * gl.w[k] * gl.D[k * n_ + l] * V[l] * cp[l] + K * stiffness_[k * n_ + l];
   }
   row[k] += outflow_[static_cast<std::size_t>(cell) * n_ + k] * cp[k];
+  row[k] += thins(cell, k);
   if (b == 0.0) return;
   double M[kMostNodes];
   node_fluxes(cell, M);

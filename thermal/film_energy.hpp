@@ -118,7 +118,10 @@ struct FilmEnergyProblem {
   std::vector<int> line;            ///< per west face: supply patch of the line on it or -1
   std::vector<double> conductance;  ///< K per cell [W/K]
   std::vector<double> heat;         ///< per node, weights included [W]
-  std::vector<double> cp;           ///< mean heat capacity from T_reference on, per node [J/(kg K)]
+  /// By which it falls for each kelvin above T_reference, per node, none below zero: the oil thins
+  /// [W/K]; empty: it is given.
+  std::vector<double> thinning;
+  std::vector<double> cp;  ///< mean heat capacity from T_reference on, per node [J/(kg K)]
   std::vector<SupplyVessel> vessels;
   std::vector<FedOil> fed;
   double T_reference = 0.0;  ///< enthalpies count from here [K]
@@ -204,6 +207,10 @@ class FilmEnergy {
   /// The (up to four) faces of a cell as inflows.
   int faces_of(int i, int j, Inflow* faces) const;
   [[nodiscard]] double source_enthalpy(const Inflow& f, int k, const std::vector<double>& T) const;
+  /// What a node's heat falls by a kelvin [W/K].
+  [[nodiscard]] double thins(int cell, int k) const {
+    return p_.thinning.empty() ? 0.0 : p_.thinning[static_cast<std::size_t>(cell) * n_ + k];
+  }
   /// Puts the enthalpy of oil that is fed into the cells to their heat.
   void take_fed_oil();
   /// h of (6) for the vessel that the cell lies in; 0 in the film [W/(m2 K)].

@@ -262,6 +262,22 @@ std::string text_of(const note::LongEvent& n) {
       1e3 * n.reach, 1e3 * n.straight);
 }
 
+std::string text_of(const note::CyclesWander& n) {
+  return fmt::format(
+      "the cycles do not repeat more nearly than {:.1g} of smallest film and torque, and go no "
+      "farther apart: fronts of oil come back a little otherwise each time; one of them is told, "
+      "and the bars of time have the difference",
+      n.closure);
+}
+
+std::string text_of(const note::JointPulls& n) {
+  return fmt::format(
+      "shell and housing stay joined, however warm: as warm as they are the joint would pull with "
+      "about {:.2g} MPa, so that the press fit must give more; loose, heat would move the bore by "
+      "about {:.3g} um where joined it is {:.3g} um",
+      1e-6 * n.pressure, 1e6 * n.loose, 1e6 * n.joined);
+}
+
 std::string text_of(const note::LoadMissed& n) {
   return fmt::format(
       "the step that is given (load_cycle.step) passes over load: between {:.4g} and {:.4g} ms its "

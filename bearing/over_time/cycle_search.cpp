@@ -19,6 +19,9 @@ constexpr int kTurns = 15;           ///< of the walls, after which the oil is g
 constexpr int kStalled = 2;          ///< rounds of walls and oil after which walls change no less
 constexpr int kWornShapeTurns = 40;  ///< turns of the walls, and cycles, of a worn shape
 
+constexpr int kSpan = 32;  ///< cycles after which they are to be where they were
+constexpr int kSpans = 2;  ///< and so many times
+
 }  // namespace
 
 CycleSearch::CycleSearch(const Case& c, Tier tier, const SolveControl& control)
@@ -31,13 +34,13 @@ CycleSearch::CycleSearch(const Case& c, Tier tier, const Physics& physics,
 void CycleSearch::members(Tape& tape) {
   tape(closure_, left_, oil_, off_, mean_change_, wall_change_, held_, phase_, most_, settled_,
        round_change_, stalled_, growth_, led_, displaced_, layer_begun_, before_led_);
-  tape(mark_, marked_, by_mark_);
+  tape(mark_, marked_, by_mark_, near_, near_at_, spans_);
   tape(walls_begun_, answers_);
 }
 
 void CycleSearch::ended(Tape& tape) {
   passes_.members(tape);
-  tape(left_, answered_, off_, mean_change_, wall_change_, unsettled_, growth_, unseen_);
+  tape(left_, spans_, answered_, off_, mean_change_, wall_change_, unsettled_, growth_, unseen_);
 }
 
 void CycleSearch::begin(const CycleStart& from) {
@@ -82,10 +85,14 @@ bool CycleSearch::pass(const WallMeans* between) {
   if (cycles() == before) return false;
   layer_grows_ = largest_difference(layer_begun_, passes_.layer_depth());
   if (good && from_another) closure_.add(passes_.difference());
-  if (between != nullptr) mark_.clear();
+  if (between != nullptr) forget_marks();
   if (good && from_another && mark_.empty() && closure_.last <= kClosed) {
     mark_ = told().mark();
     marked_ = cycles();
+  }
+  if (good && from_another && near_.empty() && closure_.last <= passes_.error()) {
+    near_ = told().mark();
+    near_at_ = cycles();
   }
   oil_.passed();
   return good;
@@ -110,7 +117,27 @@ bool CycleSearch::closed(double within) {
   } else {
     by_mark_ = INFINITY;
   }
-  return left_ <= within && std::min(closure_.last, told().drift()) <= within;
+  return (left_ <= within && std::min(closure_.last, told().drift()) <= within) || wander();
+}
+
+bool CycleSearch::wander() {
+  const int since = cycles() - near_at_;
+  if (near_.empty() || std::isnan(closure_.last) || since < kSpan * (spans_ + 1)) return false;
+  const double left = left_after(told().difference(near_), since);
+  if (std::max(left, closure_.last) > passes_.error()) {
+    near_.clear();
+    spans_ = 0;
+    return false;
+  }
+  if (++spans_ < kSpans) return false;
+  left_ = std::max(left, closure_.last);
+  return true;
+}
+
+void CycleSearch::forget_marks() {
+  mark_.clear();
+  near_.clear();
+  spans_ = 0;
 }
 
 void CycleSearch::come_back() {
@@ -165,7 +192,7 @@ void CycleSearch::lead_oil_on() {
   oil_.led_to(passes_.lasting());
   led_ = true;
   closure_.lead_on();
-  mark_.clear();
+  mark_.clear();  // what stays near a mark, though oil is led on, is near it all the same
 }
 
 bool CycleSearch::by_chance() const {
@@ -278,7 +305,7 @@ const Verdict& CycleSearch::search(bool rough) {
   if (!brought_back()) {
     most_ = cycles() + kMostCycles;
     closure_ = {};
-    mark_.clear();
+    forget_marks();
     round_change_ = INFINITY;
     stalled_ = 0;
   }
@@ -313,6 +340,9 @@ CycleResult CycleSearch::result() const {
   r.verdict = verdict();
   r.closure = left_;
   r.growth = growth_;
+  if (r.verdict.good() && spans_ >= kSpans) {
+    r.warnings.emplace_back(note::CyclesWander{left_});
+  }
   if (r.verdict.good() && unseen_) {
     r.warnings.emplace_back(note::Plain::orbit_not_judged);
   }

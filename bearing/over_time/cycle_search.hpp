@@ -92,9 +92,14 @@ class CycleSearch {
   void come_back();
   /// From time to time, the oil to which the last cycles lead.
   void lead_oil_on();
-  /// Cycles differ by chance: they have not come farther since the mark than half of what their
-  /// last difference would have added up to.
+  /// Cycles differ by chance: they have not come farther since a mark than half of what their last
+  /// difference would have added up to.
   [[nodiscard]] bool by_chance() const;
+  /// Cycles that go on differing by chance, by more than kClosed, have twice been found where they
+  /// were so many cycles before that they leave no more than the error of a step: fronts of oil
+  /// need not repeat. One of them is what there is to be told, and how far they go apart.
+  [[nodiscard]] bool wander();
+  void forget_marks();
   /// Back to where oil was led on, if with what it was led to no cycle is found: they go on as they
   /// are.
   bool come_back_from_led_oil();
@@ -122,6 +127,9 @@ class CycleSearch {
   std::vector<double> mark_;   ///< of the first cycle that hardly differed from the one before
   int marked_ = 0;             ///< after so many cycles
   double by_mark_ = INFINITY;  ///< what the cycle before told to be left since then [-]
+  std::vector<double> near_;   ///< the same of one that differed by less than the error of a step
+  int near_at_ = 0;            ///< after so many cycles
+  int spans_ = 0;              ///< in which cycles have stayed near
   double left_ = NAN;          ///< CycleResult::closure
   bool led_ = false;           ///< anything, here or on the way to where it began
   double growth_ = NAN;        ///< CycleResult::growth

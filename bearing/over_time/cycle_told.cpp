@@ -372,6 +372,8 @@ void CycleRecord::write_heat(CycleResult& r) const {
   const double near = kSideways * (goes_on ? std::min(g.radius, g.width) : g.radius);
   if (!course_->repeats() && reach > near) r.warnings.push_back(note::LongEvent{reach, near});
   r.fields.T_shell = mean_over_time(T_shell_);
+  const double warm = area_mean(full_grid(g), r.fields.T_shell);
+  add_joint_that_pulls(film_->model(), warm, warm, r.assumptions);
   r.fields.heat_to_shell = mean_over_time(heat_.to_shell);
   r.fields.T_shell_max = mirror_to_full(g, T_shell_max_);
   if (!film_->heat()->walls.thermal_deformation.empty()) {

@@ -126,9 +126,7 @@ void let_supplies_thin(const BearingModel& model, const FilmEquilibrium& s,
     if (problem.patch[c] < 0) continue;
     thermal::SupplyVessel& v = problem.vessels[problem.patch[c]];
     v.T_sheared = s.columns.T[static_cast<std::size_t>(c) * n + n / 2];
-    const double dln_dT =
-        rheology::viscosity_slopes(model.oil, v.T_sheared, s.film.p[c], 0.0).dln_dT;
-    v.thinning = std::max(-dln_dT, 0.0);
+    v.thinning = thinning(model, v.T_sheared, s.film.p[c]);
   }
 }
 
@@ -349,6 +347,10 @@ double HeatSteps::surprise(const BearingModel& model, const FilmEquilibrium& s,
     load += weight;
   }
   return load > 0.0 ? sum / load : 0.0;
+}
+
+double thinning(const BearingModel& model, double T, double p) {
+  return std::max(-rheology::viscosity_slopes(model.oil, T, p, 0.0).dln_dT, 0.0);
 }
 
 thermal::FilmEnergyProblem lasting_film(const BearingModel& model, const OperatingPoint& point,

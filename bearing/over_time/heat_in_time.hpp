@@ -133,6 +133,9 @@ class HeatSteps {
   Eigen::MatrixXd opening_by_shaft_;        ///< by those of the shaft [m/K]
 };
 
+/// -d ln eta/dT of the oil, not below zero [1/K].
+[[nodiscard]] double thinning(const BearingModel& model, double T, double p);
+
 /// The film's energy equation as it stands, as if its flow would stay: oil that cells gain or lose
 /// counts, heat that they store does not.
 [[nodiscard]] thermal::FilmEnergyProblem lasting_film(const BearingModel& model,

@@ -19,13 +19,14 @@ inline void members(Tape& tape, bearing::FilmTrend& x) {
   tape(p, theta, elastic, q);
 }
 
-/// Of a film whose flow is held: its shell does not yield, and it makes and brings no heat.
+/// Of a film whose flow is held: its shell does not yield, and it has no heat but what thinning
+/// takes from it.
 inline void members(Tape& tape, thermal::FilmEnergyProblem& x) {
-  auto& [grid, gl, phi_flow, z_flow, lines, patch, line, conductance, heat, cp, vessels, fed,
-         T_reference, T_edge, cp_edge, forward, throttled, storage, shell] = x;
+  auto& [grid, gl, phi_flow, z_flow, lines, patch, line, conductance, heat, thinning, cp, vessels,
+         fed, T_reference, T_edge, cp_edge, forward, throttled, storage, shell] = x;
   if (!storage) storage.emplace();
-  tape(phi_flow, z_flow, lines, patch, line, conductance, cp, vessels, fed, T_reference, T_edge,
-       cp_edge, forward, storage->dt, storage->mass, storage->mass_before);
+  tape(phi_flow, z_flow, lines, patch, line, conductance, thinning, cp, vessels, fed, T_reference,
+       T_edge, cp_edge, forward, storage->dt, storage->mass, storage->mass_before);
   heat.assign(cp.size(), 0.0);
   storage->heat_before.assign(cp.size(), 0.0);
 }

@@ -351,6 +351,11 @@ Result summarize(const Solution& s, Tier tier) {
     add_temperature_of_edge_oil(m, tier, r.assumptions);
   }
   add_layer_of_constant_thickness(m, r.assumptions);
+  if (s.heat.known()) {
+    const auto& shell = s.heat.solids.shell;
+    add_joint_that_pulls(m, area_mean(m.domain.grid, shell.surface),
+                         area_mean(m.domain.grid, shell.back), r.assumptions);
+  }
   add_supplies_that_take_back(s, r.assumptions);
   if (passes_over_supply(m.input, tier)) {
     r.assumptions.push_back(note::Plain::supply_temperature_unused);

@@ -35,7 +35,7 @@ TEST_CASE("AShrinkFitHasThePressureOfTheTextbook") {
   // (c2 - b2)(b2 - a2)/(2 b2 (c2 - a2)), delta = b alpha 40 K.
   const double a = 0.02, b = 0.03, c = 0.045;
   const JoinedRings joined = joined_rings(a, {{kAluminium, b, 40.0}, {kAluminium, c, 0.0}});
-  const double expected = 70e9 * 23e-6 * 40.0 * (c * c - b * b) * (b * b - a * a) /
-                          (2.0 * b * b * (c * c - a * a));
+  const double expected =
+      70e9 * 23e-6 * 40.0 * (c * c - b * b) * (b * b - a * a) / (2.0 * b * b * (c * c - a * a));
   CHECK(joined.pressures[0] == Approx(expected).epsilon(1e-10));
 }

@@ -187,6 +187,26 @@ TEST_CASE("HeatAndEnthalpyBalance", "[film_energy]") {
   }
 }
 
+TEST_CASE("HeatThatFallsAsOilThinsIsTheHeatOfThatTemperature", "[film_energy]") {
+  Ring r = random_bearing(13, 0.6, 0.3);
+  std::vector<double> T = r.T;
+  r.problem.thinning = r.problem.heat;
+  for (double& x : r.problem.thinning) x *= 0.03;  // as much of it for each kelvin
+  FilmEnergy thins = r.film();
+  settle(thins, T);
+  const EnergyBalance b = thins.balance(T);
+  CHECK(std::abs(b.imbalance()) < 1e-12 * (b.heat + b.carried_out));
+  for (std::size_t k = 0; k < T.size(); ++k) {
+    r.problem.heat[k] -= r.problem.thinning[k] * (T[k] - r.problem.T_reference);
+  }
+  r.problem.thinning.clear();
+  FilmEnergy given = r.film();
+  settle(given, r.T);
+  double off = 0.0;
+  for (std::size_t k = 0; k < T.size(); ++k) off = std::max(off, std::abs(T[k] - r.T[k]));
+  CHECK(off < 1e-9);
+}
+
 TEST_CASE("SurplusLeavesThroughTheSupplyAsWarmAsItCame", "[film_energy]") {
   Ring r(16, 1, 5);
   for (int c = 0; c < 16; ++c) {  // groove 1 hands on a tenth of what reaches it

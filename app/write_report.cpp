@@ -17,8 +17,10 @@
 namespace shellback::app {
 namespace {
 
+constexpr std::size_t kTitle = 60;      ///< characters above a map
 constexpr double kReportMap = 232.0;    ///< height [px]
 constexpr double kReportCurve = 220.0;  ///< height [px]
+constexpr double kLastTick = 14.0;      ///< beside a frame for half of its last label [px]
 
 std::string failure_of(const StoredResult& result) {
   if (result.converged) return "";
@@ -85,7 +87,9 @@ std::string map_of(const StoredResult& result, const StoredValues& field) {
   const DisplayUnit unit = display_unit(field.name, field.units);
   const Field values = shown_values(field.values, unit);
   FieldMap map;
-  map.title = field.long_name;
+  // What fits above a map; the whole stands below it.
+  const bool whole = field.long_name.size() <= kTitle;
+  map.title = whole ? field.long_name : field.long_name.substr(0, field.long_name.find(','));
   map.unit = typeset_unit(unit.unit);
   map.scale = field_scale(result, field, values);
   map.x = degree_axis();
@@ -98,7 +102,7 @@ std::string map_of(const StoredResult& result, const StoredValues& field) {
     map.surface = unrolled(result.grid, values);
     map.y = axial_axis(result.grid);
   }
-  return figure_html(kColumnWidth, kReportMap, map.title, "",
+  return figure_html(kColumnWidth, kReportMap, field.long_name, whole ? "" : field.long_name,
                      [&](Svg& svg, const Box& box) { draw_map(svg, box, map, page_theme()); });
 }
 
@@ -131,11 +135,15 @@ std::string curves_over_cycle(const StoredResult& result) {
   const auto x = named(crank ? "angle" : "t");
   if (x == result.series.end() || x->values.size() < 2) return "";
   const Theme theme = page_theme();
-  std::string html;
+  std::string html, zero;
   for (const StoredValues& series : result.series) {
     if (series.name == "t" || series.name == "angle") continue;
-    const DisplayUnit unit =
-        display_unit(series.name, series.units, largest_magnitude(series.values));
+    const double most = largest_magnitude(series.values);
+    if (most == 0.0) {
+      zero += (zero.empty() ? "Zero throughout: " : "; ") + series.long_name;
+      continue;
+    }
+    const DisplayUnit unit = display_unit(series.name, series.units, most);
     LinePlot plot;
     plot.title = series.long_name;
     plot.x =
@@ -143,10 +151,13 @@ std::string curves_over_cycle(const StoredResult& result) {
     plot.y_title = "[" + typeset_unit(unit.unit) + "]";
     plot.from_zero = false;
     plot.series = {{"", x->values, shown_values(series.values, unit), theme.series.front(), ""}};
-    html += figure_html(kColumnWidth, kReportCurve, series.long_name, "",
-                        [&](Svg& svg, const Box& box) { draw_lines(svg, box, plot, theme); });
+    html += figure_html(kColumnWidth, kReportCurve, series.long_name, "", [&](Svg& svg, Box box) {
+      box.width -= kLastTick;
+      draw_lines(svg, box, plot, theme);
+    });
   }
-  return figures_html(html);
+  if (!zero.empty()) zero = "<p class=\"scene\">" + escape_markup(zero) + ".</p>\n";
+  return figures_html(html) + zero;
 }
 
 std::string audit_told(const StoredResult& result) {

@@ -434,10 +434,9 @@ void add_export(CLI::App& app, Request& request) {
 
 void add_help(CLI::App& app, Request& request) {
   auto* help =
-      app.add_subcommand("help", "the reference of the case file: help keys [SECTION ...]");
-  auto* keys = help->add_subcommand("keys", "all keys of a case, their units and defaults");
-  keys->add_option("SECTION", request.names, "bearing, supply, oil, ... (default: all)");
-  help->require_subcommand(1);
+      app.add_subcommand("help", "of a command, or all keys of a case: help keys [SECTION]");
+  help->add_option("TOPIC", request.name, "a command, or keys");
+  help->add_option("SECTION", request.names, "of keys: bearing, supply, oil, ... (default: all)");
 }
 
 /// A command as it is offered.
@@ -487,6 +486,20 @@ std::string unknown_command(const std::vector<std::string>& words) {
          choices_for(words.front(), known, "commands are");
 }
 
+/// What is told of a command; of none, of all.
+Reading help_on(const std::string& topic, const std::string& more) {
+  if (topic.empty()) return read_command_line({"--help"});
+  std::vector<std::string> known = command_names();
+  if (std::find(known.begin(), known.end(), topic) != known.end()) {
+    return read_command_line({topic, "--help"});
+  }
+  known.emplace_back("keys");
+  return {{},
+          "shellback: there is no help on " + in_quotes(topic) +
+              choices_for(topic, known, "there is some on") + more,
+          kBadInput};
+}
+
 }  // namespace
 
 Reading read_command_line(const std::vector<std::string>& words) {
@@ -512,6 +525,9 @@ Reading read_command_line(const std::vector<std::string>& words) {
   }
   reading.request.command = command_of(app);
   if (reading.request.command == Command::none) return {{}, app.help(), kBadInput};
+  if (reading.request.command == Command::help && reading.request.name != "keys") {
+    return help_on(reading.request.name, more);
+  }
   return reading;
 }
 

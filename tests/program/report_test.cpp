@@ -113,5 +113,9 @@ TEST_CASE("HelpTellsTheKeysOfACase") {
   const Ended none = run_words({"help", "keys", "oli"});
   CHECK(none.code == kBadInput);
   check_parts(none.err, {"help keys", "did you mean \"oil\"?"});
-  CHECK(run_words({"help"}).code == kBadInput);
+  CHECK(run_words({"help"}).out == run_words({"--help"}).out);
+  CHECK(run_words({"help", "sweep"}).out == run_words({"sweep", "--help"}).out);
+  const Ended unknown = run_words({"help", "kyes"});
+  CHECK(unknown.code == kBadInput);
+  check_parts(unknown.err, {"no help on \"kyes\"", "did you mean \"keys\"?"});
 }

@@ -124,7 +124,7 @@ bool CycleSearch::wander() {
   const int since = cycles() - near_at_;
   if (near_.empty() || std::isnan(closure_.last) || since < kSpan * (spans_ + 1)) return false;
   const double left = left_after(told().difference(near_), since);
-  if (std::max(left, closure_.last) > passes_.error()) {
+  if (std::max(left, closure_.last) > passes_.error() || !stayed_near(near_, near_at_)) {
     near_.clear();
     spans_ = 0;
     return false;
@@ -197,9 +197,11 @@ void CycleSearch::lead_oil_on() {
 
 bool CycleSearch::by_chance() const {
   constexpr int kFollowed = 3;  // cycles: oil is led on every five
-  const int since = cycles() - marked_;
-  return !mark_.empty() && since >= kFollowed &&
-         told().difference(mark_) < 0.5 * since * closure_.last;
+  return !mark_.empty() && cycles() - marked_ >= kFollowed && stayed_near(mark_, marked_);
+}
+
+bool CycleSearch::stayed_near(const std::vector<double>& mark, int at) const {
+  return told().difference(mark) < 0.5 * (cycles() - at) * closure_.last;
 }
 
 bool CycleSearch::come_back_from_led_oil() {

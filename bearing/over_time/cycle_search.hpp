@@ -92,8 +92,10 @@ class CycleSearch {
   void come_back();
   /// From time to time, the oil to which the last cycles lead.
   void lead_oil_on();
-  /// Cycles differ by chance: they have not come farther since a mark than half of what their last
-  /// difference would have added up to.
+  /// Cycles have not come farther from a mark, `at` so many of them, than half of what their last
+  /// difference would have added up to: they differ by chance, and do not drift.
+  [[nodiscard]] bool stayed_near(const std::vector<double>& mark, int at) const;
+  /// That of the mark.
   [[nodiscard]] bool by_chance() const;
   /// Cycles that go on differing by chance, by more than kClosed, have twice been found where they
   /// were so many cycles before that they leave no more than the error of a step: fronts of oil

@@ -22,6 +22,8 @@ constexpr double kSettle = 0.25;
 constexpr double kCutOff = 1.0 / 300.0;
 /// Keeps logarithms and quotients finite where H <= 0; selections discard what comes of it [-].
 constexpr double kTiny = 1e-30;
+/// Of a density that counts beside a gap of one roughness: exp(-700) is 1e-304 [-].
+constexpr double kLeastExponent = -700.0;
 
 /// A function of H and its derivative by H.
 struct Slope {
@@ -34,10 +36,11 @@ struct Slope {
 }
 
 /// hT/sigma. Both terms cancel for H < 0 by a factor H^2; below H = -38 they underflow, which
-/// may leave the last denormal negative.
+/// may leave the last denormal negative. An exponential that underflows leaves the loop's lanes.
 [[gnu::always_inline]] inline Slope mean_gap(double H) {
   const double open = 0.5 * std::erfc(-H * 0.70710678118654752440);  // share of open area, 1/sqrt2
-  const double density = 0.39894228040143267794 * std::exp(-0.5 * H * H);  // 1/sqrt(2 pi)
+  const double exponent = std::max(-0.5 * H * H, kLeastExponent);
+  const double density = 0.39894228040143267794 * std::exp(exponent);  // 1/sqrt(2 pi)
   return {std::max(H * open + density, 0.0), open};
 }
 

@@ -6,7 +6,6 @@
 #include <complex>
 
 #include "bearing/solids.hpp"
-#include "core/gmres.hpp"
 #include "core/round_off.hpp"
 
 namespace shellback::bearing {
@@ -227,7 +226,8 @@ std::optional<Movement> solve_border(const LoadTarget& load, const FilmEquilibri
 }  // namespace
 
 CompliantAnswer with_compliance(const BearingModel& model, const FilmEquilibrium& s,
-                                const Field& defect, const FilmSolve& solve, double tolerance) {
+                                const Field& defect, const FilmSolve& solve, double tolerance,
+                                KrylovMemory* memory) {
   const double tau = model.solids->winkler();
   const auto beyond_winkler = [&](const BorderedFilm::Answer& x) {
     Field y = model.solids->compliance(x.P);
@@ -240,7 +240,7 @@ CompliantAnswer with_compliance(const BearingModel& model, const FilmEquilibrium
     for (std::size_t k = 0; k < y.size(); ++k) y[k] = b[k] - y[k];
     return y;
   };
-  const KrylovResult correction = gmres(apply, rhs, tolerance, kMostIterations);
+  const KrylovResult correction = gmres(apply, rhs, tolerance, kMostIterations, memory);
   return {solve(sum(defect, correction.x), false), correction.reduction};
 }
 
@@ -255,6 +255,7 @@ struct StepProblem {
   const Residuals& r;
   const BorderedFilm& film;
   EquilibriumCost& cost;
+  KrylovMemory* memory;
   Field a;                   ///< right-hand side of (1)
   fluid::Wrench wanted;      ///< force of this state
   BorderedFilm::Answer x{};  ///< the answer
@@ -288,7 +289,7 @@ void StepProblem::solve_elastic() {
     return y;
   };
   const double tolerance = scene.storage.finite() ? kKrylovInTime : kKrylovTolerance;
-  CompliantAnswer answer = with_compliance(model, s, r.displacement, balanced, tolerance);
+  CompliantAnswer answer = with_compliance(model, s, r.displacement, balanced, tolerance, memory);
   x = std::move(answer.x);
 }
 
@@ -316,10 +317,10 @@ void StepProblem::solve_rigid(StepLimits limits) {
 
 NewtonStep newton_step(const BearingModel& model, const fluid::FilmScene& scene,
                        const LoadTarget& load, const FilmEquilibrium& s, const Residuals& r,
-                       StepLimits limits, EquilibriumCost& cost) {
+                       StepLimits limits, EquilibriumCost& cost, KrylovMemory* memory) {
   const BorderedFilm film(model, scene, s, load.unknowns, workspace().factor, cost);
   if (!film.good()) return {};
-  StepProblem problem{model, scene, load, s, r, film, cost, r.film, load.wanted(s)};
+  StepProblem problem{model, scene, load, s, r, film, cost, memory, r.film, load.wanted(s)};
   for (double& v : problem.a) v = -v;
   if (s.elastic.empty()) {
     problem.solve_rigid(limits);

@@ -19,6 +19,7 @@
 #include <functional>
 
 #include "bearing/film/equilibrium.hpp"
+#include "core/gmres.hpp"
 
 namespace shellback::bearing {
 
@@ -80,7 +81,7 @@ struct CompliantAnswer {
 };
 [[nodiscard]] CompliantAnswer with_compliance(const BearingModel& model, const FilmEquilibrium& s,
                                               const Field& defect, const FilmSolve& solve,
-                                              double tolerance);
+                                              double tolerance, KrylovMemory* memory = nullptr);
 
 /// How far a step may go.
 struct StepLimits {
@@ -88,11 +89,12 @@ struct StepLimits {
   double damping = 1.0;  ///< part of the wanted change of force that is asked for [-]
 };
 
-/// The step from an evaluated state with its residuals.
+/// The step from an evaluated state with its residuals. `memory`: of elastic steps before, from
+/// states near to this one.
 [[nodiscard]] NewtonStep newton_step(const BearingModel& model, const fluid::FilmScene& scene,
                                      const LoadTarget& load, const FilmEquilibrium& state,
                                      const Residuals& residuals, StepLimits limits,
-                                     EquilibriumCost& cost);
+                                     EquilibriumCost& cost, KrylovMemory* memory = nullptr);
 
 /// Wanted change of force for a force `now`: now ln(target/now) as complex numbers where the two
 /// are of like direction, else target - now. Moments: plain difference.

@@ -27,6 +27,7 @@
 #include "bearing/columns.hpp"
 #include "bearing/operating_point.hpp"
 #include "bearing/state.hpp"
+#include "core/gmres.hpp"
 #include "core/harmonics.hpp"
 #include "fluid/resultants.hpp"
 #include "fluid/reynolds.hpp"
@@ -81,6 +82,7 @@ struct FilmTask {
   const Field& thermal_deformation;
   EquilibriumOptions options{};
   const std::atomic<bool>* stop = nullptr;  ///< true: give up
+  KrylovMemory* memory = nullptr;           ///< of elastic films near to this one
 };
 
 /// A film on the way to another one: its residuals in the units of EquilibriumOptions [-] (decision

@@ -28,7 +28,7 @@ Verdict limit_load(const BearingModel& model, const OperatingPoint& point, doubl
 }
 
 Verdict no_film(const FilmTask& task, const FilmEquilibrium& s) {
-  const auto& [model, point, thermal_deformation, options, stop] = task;
+  const auto& [model, point, thermal_deformation, options, stop, memory] = task;
   const fluid::FilmScene& scene = point.scene;
   for (const auto& found :
        {find_not_a_number(FieldName::journal_position, s.position.q, 4),

@@ -29,7 +29,7 @@ double carried_part(const fluid::FilmFlow& flow) {
 /// Steps are counted in `unit`: the time of a radian of turn, or another [s].
 Verdict march_in_time(const FilmTask& task, double unit, FilmEquilibrium& s,
                       EquilibriumCost& cost) {
-  const auto& [model, point, thermal_deformation, options, stop] = task;
+  const auto& [model, point, thermal_deformation, options, stop, memory] = task;
   if (!evaluate(model, point, thermal_deformation, kWayPoint, s)) return no_film(task, s);
   OperatingPoint moving = point;
   EquilibriumOptions within = options;
@@ -41,7 +41,7 @@ Verdict march_in_time(const FilmTask& task, double unit, FilmEquilibrium& s,
     within.film_tolerance = options.film_tolerance * carried_part(s.flow);
     const State before = s;
     const int spent = cost.newton_iterations;
-    const Verdict v = newton({model, moving, thermal_deformation, within, stop}, s, cost);
+    const Verdict v = newton({model, moving, thermal_deformation, within, stop, memory}, s, cost);
     const bool ended = v.status == Status::interrupted || v.status == Status::invalid_number;
     if (ended || cost.spent()) return v;
     if (step == kMostIterations) {

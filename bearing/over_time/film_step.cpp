@@ -224,10 +224,11 @@ Verdict FilmSteps::solve_film_and_fronts(const SuppliesStar& star, FilmEquilibri
   if (model_.input.model.methods.transport == FillTransport::upwind) {
     return solve_film(star, options_, film, cost, stop);
   }
-  EquilibriumOptions loose = options_;  // not of the load: its balance is audited over the cycle
+  EquilibriumOptions loose = options_;
   loose.film_tolerance = kFilmOfFronts;
-  loose.elastic_tolerance /= kShapePart;
-  loose.viscosity_tolerance /= kShapePart;
+  loose.load_tolerance *= kLooser;
+  loose.elastic_tolerance *= kLooser;
+  loose.viscosity_tolerance *= kLooser;
   const Verdict v = solve_film(star, loose, film, cost, stop);
   if (!v.good()) return v;
   point_.scene.storage.front = fronts_of(film);
@@ -255,7 +256,9 @@ Verdict FilmSteps::solve_film(const SuppliesStar& star, const EquilibriumOptions
     within.elastic_tolerance =
         std::min(within.elastic_tolerance, std::max(kLeast, vessels_.gap_known_to(star.pockets)));
   }
-  const auto solve = [&] { return newton({model_, point_, widening_, within, stop}, film, cost); };
+  const auto solve = [&] {
+    return newton({model_, point_, widening_, within, stop, &memory_}, film, cost);
+  };
   if (!vessels_.any()) return solve();
   return vessels_.solve(star.own, star.vessels, point_.scene, [&](fluid::OilFlows& flows) {
     fluid::impose_supply(point_.scene.supply, film.film);
@@ -306,11 +309,30 @@ Field told_pressure(const Tableau& by, const State& between, const State& end) {
 
 }  // namespace
 
+void FilmSteps::sum_up(const Tableau& by, double dt, const std::vector<FilmStage>& stages,
+                       FilmStep& step) const {
+  for (int i = 0; i < by.stages; ++i) {
+    const double f = by.b(i) * dt;
+    add(f, stages[i].oil, step.after.oil);
+    step.supply += f * stages[i].flows.supply;
+    step.patch.resize(stages[i].flows.patch.size(), 0.0);
+    add(f, stages[i].flows.patch, step.patch);
+    add(-f, stages[i].flows.pocket, step.patch);
+    step.side += f * stages[i].flows.side;
+    step.side_inflow += f * stages[i].flows.side_inflow;
+    step.line += f * vessels_.from_lines(stages[i].flows);
+    add(f, vessels_.slopes(stages[i].flows), step.after.vessels);
+    step.layer_loss += f * stages[i].layer.loss;
+    for (int k = 0; k < 2; ++k) step.impulse[k] += f * stages[i].force[k];
+  }
+}
+
 FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost,
                          const std::atomic<bool>* stop) {
   const Tableau by = method_at(now);
   FilmStep step;
   vessels_begun_ = now.vessels;
+  memory_ = {};  // no step hangs on what was solved before it: runs go on as if never stopped
   if (drillings_.any()) drillings_.take(model_, now.film);
   step.line = vessels_.set_lines(now.t + 0.5 * dt, vessels_begun_);
   std::vector<FilmStage> stages(by.stages);
@@ -338,20 +360,7 @@ FilmStep FilmSteps::take(double dt, const FilmInTime& now, EquilibriumCost& cost
   }
   step.after.oil = now.oil;
   step.after.vessels = vessels_begun_;
-  for (int i = 0; i < by.stages; ++i) {
-    const double f = by.b(i) * dt;
-    add(f, stages[i].oil, step.after.oil);
-    step.supply += f * stages[i].flows.supply;
-    step.patch.resize(stages[i].flows.patch.size(), 0.0);
-    add(f, stages[i].flows.patch, step.patch);
-    add(-f, stages[i].flows.pocket, step.patch);
-    step.side += f * stages[i].flows.side;
-    step.side_inflow += f * stages[i].flows.side_inflow;
-    step.line += f * vessels_.from_lines(stages[i].flows);
-    add(f, vessels_.slopes(stages[i].flows), step.after.vessels);
-    step.layer_loss += f * stages[i].layer.loss;
-    for (int k = 0; k < 2; ++k) step.impulse[k] += f * stages[i].force[k];
-  }
+  sum_up(by, dt, stages, step);
   step.off_content = off_content(point_.scene, film, step.after.oil);
   if (heat_) end_heat(dt, now, film, stages, step);
   FilmStage& last = stages.back();

@@ -83,15 +83,17 @@ inline constexpr double kFilmPart = 1e-2;
 /// And to which its gap and its viscosity are, of which that error is one: docs/decisions/063 [-].
 inline constexpr double kShapePart = 0.1;
 
-/// Residual over the largest flow of the film from which a stage takes its fronts of oil [-].
-inline constexpr double kFilmOfFronts = 0.1;
+/// Residual over the largest flow of the film from which a stage takes its fronts of oil, and how
+/// many times less well its load, shape and viscosity need be known than the stage's [-]: one
+/// iteration from a film carried on (docs/decisions/093).
+inline constexpr double kFilmOfFronts = 1.0;
+inline constexpr double kLooser = 100.0;
 
 /// The bearing in time, on one grid, under a course of load and speed.
 class FilmSteps {
  public:
   /// `mass` of the journal [kg], 0: none. `options`: of a stage's film. The film from
-  /// which it takes its fronts of oil is solved to kFilmOfFronts, else to the error of a step,
-  /// its shape and viscosity to those over kShapePart.
+  /// which it takes its fronts of oil is solved to kFilmOfFronts and kLooser times the rest.
   FilmSteps(const BearingModel& model, const LoadCourse& course, double mass,
             const EquilibriumOptions& options);
 
@@ -204,6 +206,9 @@ class FilmSteps {
   /// The film carried on along its trend for `ahead` [s]: cells that it fills are full, cells whose
   /// pressure it takes below that of cavitation are not.
   void carry_on(const FilmTrend& trend, double ahead, FilmEquilibrium& film) const;
+  /// Adds what flowed in the stages to a step of dt.
+  void sum_up(const Tableau& by, double dt, const std::vector<FilmStage>& stages,
+              FilmStep& step) const;
   /// Estimated error of the step: of the loaded film, the vessels' oil and viscosity [-].
   [[nodiscard]] double error_of(const FilmInTime& now, const FilmEquilibrium& end,
                                 const std::vector<FilmStage>& stages, double dt) const;
@@ -235,7 +240,8 @@ class FilmSteps {
     double length = 0.0;  ///< [s]; 0: done
   };
   Growth growth_;
-  Field widening_;  ///< thermal, of the gap, now; empty: none [m]
+  Field widening_;       ///< thermal, of the gap, now; empty: none [m]
+  KrylovMemory memory_;  ///< of the step's films
 };
 
 }  // namespace shellback::bearing

@@ -172,3 +172,33 @@ TEST_CASE("GmresEndsInAsManyStepsAsThereAreEigenvalues", "[newton_step]") {
   const KrylovResult zero = gmres(swap, {0.0, 0.0, 0.0}, 1e-6, 5);
   CHECK(zero.x == std::vector<double>{0.0, 0.0, 0.0});
 }
+
+TEST_CASE("GmresAsksOnlyForWhatItHasNotBeenTold", "[newton_step]") {
+  // Three large eigenvalues, apart; in 1 + 1e-3 k the operators of two solves differ.
+  constexpr std::size_t kNumbers = 40;
+  const auto stretched = [](double more) {
+    return [more](const std::vector<double>& x) {
+      std::vector<double> y = x;
+      for (std::size_t k = 0; k < 3; ++k) y[k] *= (2.0 + 5.0 * static_cast<double>(k)) * more;
+      return y;
+    };
+  };
+  std::vector<double> b(kNumbers, 1.0), other(kNumbers);
+  for (std::size_t k = 0; k < kNumbers; ++k) other[k] = std::sin(1.0 + static_cast<double>(k));
+  KrylovMemory memory;
+  CHECK(gmres(stretched(1.0), b, 1e-9, 20, &memory).iterations == 4);
+  const KrylovResult same = gmres(stretched(1.0), b, 1e-9, 20, &memory);
+  CHECK(same.iterations == 1);  // it lies among the answers
+  CHECK(same.x[2] == Approx(1.0 / 12.0).epsilon(1e-9));
+  const KrylovResult near = gmres(stretched(1.01), b, 1e-2, 20, &memory);
+  CHECK(near.iterations == 1);  // wrong by a hundredth of them
+  CHECK(gmres(stretched(1.01), b, 1e-2, 20).iterations > 1);
+  const KrylovResult exact = gmres(stretched(1.01), other, 1e-9, 20, &memory);
+  for (std::size_t k = 0; k < 3; ++k) {  // however good the memory, the answer is this operator's
+    const double by = (2.0 + 5.0 * static_cast<double>(k)) * 1.01;
+    CHECK(exact.x[k] == Approx(other[k] / by).epsilon(1e-8));
+  }
+  std::vector<double> broken(kNumbers, NAN);
+  memory.learn(broken, broken);  // and no number that is none is learnt
+  CHECK(gmres(stretched(1.0), b, 1e-9, 20, &memory).iterations == 1);
+}

@@ -36,7 +36,7 @@ double aitken(double omega, const Field& before, const Field& now) {
 }  // namespace
 
 Verdict elastic_fixed_point(const FilmTask& task, FilmEquilibrium& s, EquilibriumCost& cost) {
-  const auto& [model, point, thermal_deformation, options, stop] = task;
+  const auto& [model, point, thermal_deformation, options, stop, memory] = task;
   BearingModel rigid = model;
   rigid.physics.elastic = false;
   const double fixed = model.input.model.methods.relaxation;

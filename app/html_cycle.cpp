@@ -136,9 +136,8 @@ std::string cycle_maps_html(const bearing::Case& c, const CycleResult& cycle) {
 std::string cycle_animation_html(const bearing::Case& c, const CycleResult& cycle) {
   const std::string svg = animation_svg(c, cycle);
   if (svg.empty()) return "";
-  return "<figure>" + svg +
-         "<figcaption>Dashed: where the full film ends. Supply features outlined.</figcaption>"
-         "</figure>\n" +
+  return "<figure>" + svg + "<figcaption>Dashed: where the full film ends." +
+         (c.supplies.empty() ? "" : " Supply features outlined.") + "</figcaption></figure>\n" +
          kPlayer;
 }
 

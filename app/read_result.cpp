@@ -207,6 +207,9 @@ void read_head(hid_t file, StoredResult& result) {
   const Handle id(H5Aopen(file, "converged", H5P_DEFAULT), H5Aclose, "converged");
   check(H5Aread(id, H5T_NATIVE_INT, &converged), "converged");
   result.converged = converged != 0;
+  const Handle root(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, "/");
+  const double crank = Attributes(root, attributes_of(root)).number("crank_speed");
+  if (std::isfinite(crank)) result.crank_speed = crank;
 }
 
 void read_origin(hid_t file, StoredResult& result) {

@@ -36,6 +36,7 @@ struct StoredResult {
   std::string title, scene, changes;
   std::string tier, status, reason, place, cure;
   bool converged = false;
+  double crank_speed = 0.0;  ///< of a load cycle over crank angle [rad/s]
   std::vector<StoredQuantity> quantities;
   std::vector<std::pair<std::string, double>> audit, cost;
   FilmGrid grid;                     ///< no cells: the tier solves no film

@@ -76,6 +76,12 @@ std::string identify_json(const IdentifyView& v) {
             {"keys", keys_json(v)}};
   json["correlation"] = Json::array();
   for (const auto& row : fit.correlation) json["correlation"].push_back(numbers(row));
+  json["covariance"] = Json::array();  // in the units of the keys
+  for (std::size_t i = 0; i < fit.correlation.size(); ++i) {
+    std::vector<double> row = fit.correlation[i];
+    for (std::size_t k = 0; k < row.size(); ++k) row[k] *= fit.deviation[i] * fit.deviation[k];
+    json["covariance"].push_back(numbers(row));
+  }
   json["directions"] = Json::array();
   for (const auto& d : fit.directions) {
     json["directions"].push_back({{"singular_value", number(d.singular_value)},

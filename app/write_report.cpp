@@ -6,12 +6,15 @@
 #include <cmath>
 #include <functional>
 
+#include "app/html_cycle.hpp"
 #include "app/html_page.hpp"
 #include "app/html_tables.hpp"
+#include "app/labels/cycle_shown.hpp"
 #include "app/labels/quantity_label.hpp"
 #include "app/pictures/svg_film.hpp"
 #include "app/pictures/svg_lines.hpp"
 #include "app/pictures/svg_map.hpp"
+#include "app/pictures/svg_orbit.hpp"
 #include "core/largest.hpp"
 
 namespace shellback::app {
@@ -20,6 +23,7 @@ namespace {
 constexpr std::size_t kTitle = 60;      ///< characters above a map
 constexpr double kReportMap = 232.0;    ///< height [px]
 constexpr double kReportCurve = 220.0;  ///< height [px]
+constexpr double kReportPath = 600.0;   ///< height [px]
 constexpr double kLastTick = 14.0;      ///< beside a frame for half of its last label [px]
 
 std::string failure_of(const StoredResult& result) {
@@ -160,6 +164,59 @@ std::string curves_over_cycle(const StoredResult& result) {
   return figures_html(html) + zero;
 }
 
+const std::vector<double>* values_of(const std::vector<StoredValues>& all, const char* name) {
+  const auto at =
+      std::find_if(all.begin(), all.end(), [&](const StoredValues& v) { return v.name == name; });
+  return at == all.end() ? nullptr : &at->values;
+}
+
+/// The film at instant k of all that are stored; empty where the file has none.
+Field film_at(const StoredResult& result, const char* name, std::size_t k) {
+  const auto cells = static_cast<std::size_t>(result.grid.cells());
+  const std::vector<double>* all = values_of(result.frames, name);
+  if (all == nullptr || all->size() < (k + 1) * cells) return {};
+  const auto from = all->begin() + static_cast<std::ptrdiff_t>(k * cells);
+  return {from, from + static_cast<std::ptrdiff_t>(cells)};
+}
+
+/// Journal and film over the cycle as the pictures of a cycle take them. The unit of length of the
+/// journal's path is the clearance.
+bearing::CycleResult motion_of(const StoredResult& result) {
+  bearing::CycleResult cycle;
+  cycle.crank_speed = result.crank_speed;
+  cycle.fields.grid = result.grid;
+  if (const std::vector<double>* t = values_of(result.series, "t")) {
+    std::vector<CycleSeries> all;
+    for (const StoredValues& s : result.series)
+      all.push_back({s.name, s.units, s.long_name, s.values});
+    cycle.instants = instants_of(*t, all);
+  }
+  const std::vector<double>* t = values_of(result.frames, "t");
+  for (std::size_t k = 0; t != nullptr && k < t->size(); ++k) {
+    bearing::CycleFrame frame;
+    frame.t = (*t)[k];
+    frame.p = film_at(result, "p", k);
+    frame.theta = film_at(result, "theta", k);
+    cycle.frames.push_back(std::move(frame));
+  }
+  return cycle;
+}
+
+/// Path of the journal and the film in motion; of a bore that is no cylinder without its room.
+std::string motion_html(const StoredResult& result) {
+  const bearing::CycleResult cycle = motion_of(result);
+  if (cycle.instants.empty()) return "";
+  bearing::Case scaled;
+  scaled.bearing.radial_clearance = 1.0;
+  scaled.bearing.radius = result.grid.radius;
+  scaled.bearing.width = result.grid.width;
+  const std::string film = cycle_animation_html(scaled, cycle);
+  if (!film.empty()) return film;  // it has the path, too
+  return figures_html(figure_html(
+      kColumnWidth, kReportPath, "Path of the journal", "",
+      [&](Svg& svg, const Box& box) { draw_orbit(svg, box, scaled, cycle, page_theme()); }));
+}
+
 std::string audit_told(const StoredResult& result) {
   std::string figures_told, cost;
   for (const auto& [name, value] : result.audit) {
@@ -185,6 +242,7 @@ std::string report_html(const StoredResult& result) {
   html += failure_of(result);
   html += page_section("Quantities, tier " + escape_markup(result.tier), quantities_table(result));
   html += notes_html(result.warnings, result.limiters, result.assumptions);
+  html += page_section("The film over the cycle", motion_html(result));
   html += page_section("Over the cycle", curves_over_cycle(result));
   html += page_section("On the unrolled bearing", maps_of(result));
   html += page_section("Audit and cost", audit_told(result));

@@ -115,6 +115,19 @@ std::vector<CycleSeries> followed(const bearing::Case& c, const CycleResult& cyc
   return all;
 }
 
+std::vector<CycleInstant> instants_of(const std::vector<double>& t,
+                                      const std::vector<CycleSeries>& all) {
+  std::vector<CycleInstant> instants(t.size());
+  for (std::size_t k = 0; k < t.size(); ++k) instants[k].t = t[k];
+  for (const CycleSeries& series : all) {
+    const auto m = std::find_if(kMembers.begin(), kMembers.end(),
+                                [&](const Member& member) { return series.name == member.name; });
+    if (m == kMembers.end() || series.values.size() != t.size()) continue;
+    for (std::size_t k = 0; k < t.size(); ++k) instants[k].*(m->value) = series.values[k];
+  }
+  return instants;
+}
+
 std::string cycle_label(const CycleQuantity& q) {
   const std::string& name = q.quantity.name;
   if (bearing::find_quantity(name) == nullptr) {

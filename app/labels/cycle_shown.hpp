@@ -38,6 +38,11 @@ struct CycleSeries {
 [[nodiscard]] std::vector<CycleSeries> followed(const bearing::Case& c,
                                                 const bearing::CycleResult& cycle);
 
+/// The other way round, from a file: instants at times t [s] with what was followed there, as long
+/// as t; positions as they stand there, over the clearance.
+[[nodiscard]] std::vector<bearing::CycleInstant> instants_of(const std::vector<double>& t,
+                                                             const std::vector<CycleSeries>& all);
+
 /// "friction torque, mean", "smallest film, h_min": extremes by their own names.
 [[nodiscard]] std::string cycle_label(const bearing::CycleQuantity& q);
 

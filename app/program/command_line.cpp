@@ -15,6 +15,7 @@ namespace {
 using namespace app;
 
 constexpr int kMostThreads = 1024;
+constexpr int kMostTasks = 100000;
 const std::string kTierWords = "estimate, isothermal, lumped, thd, tehd or auto";
 
 void add_case_options(CLI::App& command, Request& request) {
@@ -180,18 +181,19 @@ void add_identify(CLI::App& app, Request& request) {
   auto* identify = app.add_subcommand("identify", "fit keys of a case to measurements");
   add_case_options(*identify, request);
   identify
-      ->add_option("--measured", request.measured,
+      ->add_option("--data,--measured", request.measured,
                    "measured points (CSV): where (speed [rpm], load [kN], ...) and what "
                    "(friction_torque [N m], friction_torque_sd [N m], ...)")
       ->type_name("DATA.csv");
   identify
       ->add_option("--fit", request.fit,
-                   "keys to be fitted, from their values in the case; parted by commas or repeated")
-      ->type_name("KEY,KEY")
+                   "keys to be fitted, from their values in the case, between bounds (a tenth and "
+                   "ten times the value, of temperatures 50 K, where none are given); parted by "
+                   "commas or repeated")
+      ->type_name("KEY[=FROM..TO]")
       ->allow_extra_args(false);
   identify
-      ->add_option("--bounds", request.bounds,
-                   "of a fitted key, in the unit that the case has it in; repeated for each")
+      ->add_option("--bounds", request.bounds, "the same as --fit KEY=LOW..HIGH; repeated for each")
       ->type_name("KEY=LOW:HIGH")
       ->allow_extra_args(false);
   identify->add_option("--tier", request.tier, "isothermal, lumped, thd or tehd");
@@ -277,17 +279,44 @@ void add_honesty(CLI::App& app, Request& request) {
 }
 
 void add_study(CLI::App& app, Request& request) {
-  auto* study = app.add_subcommand("study", "rerun a published series of tests: ks-rig, shells");
-  study->add_option("NAME", request.name, "which study; without one they are listed");
+  auto* study = app.add_subcommand(
+      "study", "rerun a published series of tests (ks-rig, shells), or many cases of your own");
+  study->add_option(
+      "NAME", request.name,
+      "which study (without one they are listed), or plan, run, submit, status, merge");
+  study->add_option("FOLDER", request.names, "of run, submit, status, merge; of plan: the cases")
+      ->type_name("CASE|FOLDER");
   study->add_flag("--quick", request.quick, "fewer speeds, a coarser grid, no bands");
-  study->add_option("-o", request.output, "write the page (HTML)")->type_name("FILE.html");
+  study->add_option("-o", request.output, "write the page (HTML); of plan: the folder to be made")
+      ->type_name("FILE.html|FOLDER");
+  study->add_option("--vary", request.vary, "of plan: a key and its values, as in sweep")
+      ->type_name("KEY=FROM..TO[/N][log]")
+      ->allow_extra_args(false);
+  study->add_option("--set", request.set, "of plan: change all cases; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  study->add_option("--tier", request.tier, "of plan: of all cases");
+  study->add_option("--part", request.part, "of run: every N-th point, from the I-th")
+      ->type_name("I/N");
+  study
+      ->add_option("--tasks", request.tasks,
+                   "of submit: tasks of the array (default: one for each point)")
+      ->check(CLI::Range(1, kMostTasks));
+  study->add_option("--slurm", request.slurm, "of submit: an option of sbatch; may be repeated")
+      ->type_name("--OPTION=VALUE")
+      ->allow_extra_args(false);
+  study->add_option("--csv", request.csv, "of merge: a row a point; - is standard output")
+      ->type_name("FILE.csv");
   study
       ->add_option("--json", request.json,
                    "also write every number as JSON; - is standard output, without the tables")
       ->type_name("FILE");
   add_state(*study, request, "a study");
   add_force(*study, request);
-  study->add_option("-j", request.cores, "threads (default: all cores)")
+  study
+      ->add_option("-j", request.cores,
+                   "threads; of run: points at the same time (default: all cores); of submit: "
+                   "cores of a task")
       ->type_name("N")
       ->check(CLI::Range(1, kMostThreads));
 }

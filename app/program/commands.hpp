@@ -24,6 +24,8 @@ namespace shellback::program {
 /// Of run --transient: speeds one after the other.
 [[nodiscard]] int course(const Request& request, const bearing::WarmUpOptions& options);
 [[nodiscard]] int study(const Request& request);
+/// Of study: plan, run, submit, status and merge.
+[[nodiscard]] int study_of_many(const Request& request);
 [[nodiscard]] int surface(const Request& request);
 [[nodiscard]] int sweep(const Request& request);
 [[nodiscard]] int running_in(const Request& request);  ///< of run

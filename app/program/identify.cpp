@@ -61,11 +61,10 @@ int identify(const Request& request) {
   const std::string text = read_text_file(request.case_file);
   const bearing::Case given = read_case_text(text, request.case_file, set);
   if (request.measured.empty()) {
-    throw InputError("--measured",
-                     "the table of measurements is missing; give --measured DATA.csv");
+    throw InputError("--data", "the table of measurements is missing; give --data FILE.csv");
   }
   if (request.fit.empty()) {
-    throw InputError("--fit", "no key is named; give --fit KEY with --bounds KEY=LOW:HIGH");
+    throw InputError("--fit", "no key is named; give --fit KEY=FROM..TO");
   }
   const MeasuredTable table =
       read_measured_table(request.measured, static_cast<int>(given.supplies.size()),
@@ -76,6 +75,13 @@ int identify(const Request& request) {
   inputs.push_back(request.measured);
   Outputs outputs(request, inputs);
   tell_warnings(given);
+  for (const FittedKey& key : keys) {
+    if (!key.usual_bounds) continue;
+    std::cerr << fmt::format(
+        "note: {} is sought between {} and {}, as no bounds are given; what is "
+        "possible is said by --fit {}=FROM..TO\n",
+        key.key, key.words(key.value.low), key.words(key.value.high), key.key);
+  }
   const study::MeasuredCase case_at = measured_case(text, request.case_file, set, table, keys);
   const study::Identification end =
       search(table, keys, case_at, request.cores > 0 ? request.cores : hardware_threads());

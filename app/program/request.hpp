@@ -90,8 +90,12 @@ struct Request {
   std::string table;                         ///< stress --table
   bool only_default = false;                 ///< stress --only-default
   double limit_s = 60.0;                     ///< stress --limit [s]
-  std::vector<std::string> names;  ///< validate: ledger entries, help: sections; none: all
+  std::vector<std::string> names;  ///< validate: ledger entries, help: sections, none: all; study
+                                   ///< plan: cases, study run and others: the folder
   std::string ledger;              ///< validate --ledger: folder of entries; empty: the shipped
+  std::string part;                ///< study run --part I/N
+  int tasks = 0;                   ///< study submit --tasks; 0: one for each point
+  std::vector<std::string> slurm;  ///< study submit --slurm: options of sbatch
   bool list = false;               ///< stress, validate: --list
   bool all_rows = false;           ///< validate --rows
 };

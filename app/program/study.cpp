@@ -1,6 +1,7 @@
 /// study: published series of tests, rerun in one command.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 
 #include "app/program/commands.hpp"
@@ -21,6 +22,45 @@ using namespace validation;
 namespace {
 
 const std::vector<std::string> kStudies{"ks-rig", "shells"};
+const std::vector<std::string> kOfMany{"plan", "run", "submit", "status", "merge"};
+
+/// What belongs to the work on a folder of points, and is not asked for there.
+void expect_no_points(const Request& request) {
+  constexpr const char* kOnlyOfMany = "belongs to studies of many cases: plan, run, submit, merge";
+  refuse_options({{"--vary", !request.vary.empty()},
+                  {"--set", !request.set.empty()},
+                  {"--tier", !request.tier.empty()},
+                  {"--part", !request.part.empty()},
+                  {"--tasks", request.tasks != 0},
+                  {"--slurm", !request.slurm.empty()},
+                  {"--csv", !request.csv.empty()},
+                  {"FOLDER", !request.names.empty()}},
+                 kOnlyOfMany);
+}
+
+/// What each of the words may be given.
+void expect_own_options(const Request& request) {
+  const auto is = [&](const char* name) { return request.name == name; };
+  const auto asked = [&](const char* option, bool given, bool taken) {
+    if (given && !taken) {
+      throw InputError(option, "is no option of study " + request.name + "; leave it out");
+    }
+  };
+  asked("--vary", !request.vary.empty(), is("plan"));
+  asked("--set", !request.set.empty(), is("plan"));
+  asked("--tier", !request.tier.empty(), is("plan"));
+  asked("-o", !request.output.empty(), is("plan"));
+  asked("--force", request.force, is("plan") || is("merge"));
+  asked("--part", !request.part.empty(), is("run"));
+  asked("--tasks", request.tasks != 0, is("submit"));
+  asked("--slurm", !request.slurm.empty(), is("submit"));
+  asked("-j", request.cores != 0, is("run") || is("submit"));
+  asked("--csv", !request.csv.empty(), is("merge"));
+  asked("--json", !request.json.empty(), is("merge"));
+  asked("--quick", request.quick, false);
+  asked("--state", !request.state.empty(), false);
+  asked("--resume", request.resume, false);
+}
 
 /// Threads, stop, progress and states, which every study takes.
 StudyOptions study_options(const Request& request, ProgressLine& line, PointKeepers& keepers) {
@@ -95,13 +135,23 @@ int study(const Request& request) {
     std::cout << "ks-rig  KS rig of Sander, Allmaier, Priebsch 2016: torque of three bearings over "
                  "speed, run-up and run-down, start and stop\n"
                  "shells  shells of Offner and Knaus 2015 in a big end: plain and grooved AlSn, "
-                 "polymer; friction, heat, load capability\n";
+                 "polymer; friction, heat, load capability\n"
+                 "plan, run, submit, status, merge  many cases of your own, here or on a cluster: "
+                 "docs/many-cases.md\n";
     return kDone;
   }
-  if (request.name == "ks-rig") return study_rig(request);
-  if (request.name == "shells") return study_shells(request);
+  if (std::find(kOfMany.begin(), kOfMany.end(), request.name) != kOfMany.end()) {
+    expect_own_options(request);
+    return study_of_many(request);
+  }
+  if (std::find(kStudies.begin(), kStudies.end(), request.name) != kStudies.end()) {
+    expect_no_points(request);
+    return request.name == "ks-rig" ? study_rig(request) : study_shells(request);
+  }
+  std::vector<std::string> known = kStudies;
+  known.insert(known.end(), kOfMany.begin(), kOfMany.end());
   throw InputError("NAME", "there is no study " + in_quotes(request.name) +
-                               choices_for(request.name, kStudies, "studies are"));
+                               choices_for(request.name, known, "studies are"));
 }
 
 }  // namespace shellback::program

@@ -132,18 +132,52 @@ FittedKey bounded(const std::string& key, const NumberAndUnit& start, const std:
   return out;
 }
 
-std::vector<std::string> keys_named(const std::vector<std::string>& fit) {
+/// The keys of --fit; the bounds of KEY=FROM..TO join those of --bounds.
+std::vector<std::string> keys_named(const std::vector<std::string>& fit,
+                                    std::map<std::string, std::string>& bounds) {
   std::vector<std::string> keys;
   for (const std::string& words : fit) {
-    for (const std::string& key : parted(words, ',')) {
+    for (const std::string& part : parted(words, ',')) {
+      const std::size_t equal = part.find('=');
+      const std::string key = part.substr(0, equal);
       if (key.empty()) throw InputError("--fit", "a key is empty; write --fit KEY,KEY");
       if (std::find(keys.begin(), keys.end(), key) != keys.end()) {
         throw InputError("--fit", fmt::format("{} is named twice", key));
       }
       keys.push_back(key);
+      if (equal == std::string::npos) continue;
+      const std::string range = part.substr(equal + 1);
+      const std::size_t dots = range.find("..");
+      if (dots == std::string::npos) {
+        throw InputError("--fit " + key,
+                         fmt::format("{} is no range; write --fit KEY=FROM..TO", in_quotes(range)));
+      }
+      if (!bounds.emplace(key, range.substr(0, dots) + ":" + range.substr(dots + 2)).second) {
+        throw InputError("--fit " + key, "its bounds are given by --bounds, too; keep one of them");
+      }
     }
   }
   return keys;
+}
+
+/// Where nobody has said what is possible: a decade to each side, of temperatures 50 K.
+std::string usual_bounds(const std::string& key, const NumberAndUnit& start) {
+  constexpr double kDecade = 10.0, kKelvins = 50.0;
+  const auto between = [](double low, double high) {
+    return fmt::format("{:.6g}:{:.6g}", low, high);
+  };
+  if (start.unit == "degC" || start.unit == "K") {
+    return between(start.number - kKelvins, start.number + kKelvins);
+  }
+  const bool angle = start.unit == "deg" || start.unit == "rad" || start.unit == "mrad";
+  if (start.number == 0.0 || angle) {
+    throw InputError("--fit " + key,
+                     fmt::format("bounds are missing, and none are usual for {:.6g} {}; give --fit "
+                                 "{}=FROM..TO",
+                                 start.number, start.unit, key));
+  }
+  const double near = start.number / kDecade, far = start.number * kDecade;
+  return between(std::min(near, far), std::max(near, far));
 }
 
 void expect_not_measured(const std::string& key, const MeasuredTable& table) {
@@ -169,8 +203,8 @@ std::vector<FittedKey> fitted_keys(const std::string& text, const std::string& p
                                    const MeasuredTable& table) {
   toml::table root = parse_toml(text, path);
   for (const Override& change : set) apply_override(root, change);
-  const std::map<std::string, std::string> limits = bounds_by_key(bounds);
-  const std::vector<std::string> fitted = keys_named(fit);
+  std::map<std::string, std::string> limits = bounds_by_key(bounds);
+  const std::vector<std::string> fitted = keys_named(fit, limits);
   for (const auto& [key, words] : limits) {
     if (std::find(fitted.begin(), fitted.end(), key) != fitted.end()) continue;
     throw InputError("--bounds " + key,
@@ -181,15 +215,9 @@ std::vector<FittedKey> fitted_keys(const std::string& text, const std::string& p
     expect_not_measured(key, table);
     const NumberAndUnit start = value_in_case(root, key);
     const auto own = limits.find(key);
-    if (own == limits.end()) {
-      const bool warmth = start.unit == "degC" || start.unit == "K";
-      const double low = warmth ? start.number - 20.0 : 0.5 * start.number;
-      const double high = warmth ? start.number + 20.0 : 2.0 * start.number;
-      throw InputError("--fit " + key,
-                       fmt::format("bounds are missing; give for example --bounds {}={:.4g}:{:.4g}",
-                                   key, low, high));
-    }
-    keys.push_back(bounded(key, start, own->second));
+    const bool told = own != limits.end();
+    keys.push_back(bounded(key, start, told ? own->second : usual_bounds(key, start)));
+    keys.back().usual_bounds = !told;
   }
   return keys;
 }

@@ -12,13 +12,15 @@ struct FittedKey {
   std::string key;  ///< surfaces.contact.friction_law.b
   std::string unit;
   study::FitParameter value;
+  bool usual_bounds = false;  ///< a decade to each side of the start, 50 K: nobody gave others
   [[nodiscard]] std::string words(double x) const;  ///< "2.5 um", as --set takes it
 };
 
-/// `fit` are keys, each perhaps several parted by commas; `bounds` are KEY=LOW:HIGH. The value in
-/// the case, changed by `set`, is the start. Throws InputError: a key that is no number of the
-/// case or named twice, missing or reversed bounds, a start on or outside them, bounds of nothing,
-/// a key that the table of measurements sets.
+/// `fit` are keys, each perhaps with its bounds, KEY=FROM..TO, several parted by commas; `bounds`
+/// are KEY=LOW:HIGH. The value in the case, changed by `set`, is the start. Throws InputError: a
+/// key that is no number of the case or named twice, reversed bounds, none of an angle or of a
+/// start at zero, a start on or outside them, bounds of nothing, a key that the table of
+/// measurements sets.
 [[nodiscard]] std::vector<FittedKey> fitted_keys(const std::string& text, const std::string& path,
                                                  const std::vector<Override>& set,
                                                  const std::vector<std::string>& fit,

@@ -6,6 +6,7 @@
 #include "bearing/film/newton.hpp"
 #include "bearing/film/pockets.hpp"
 #include "bearing/film/pseudo_time.hpp"
+#include "bearing/temperature_limits.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 #include "fluid/fill_front.hpp"
@@ -186,7 +187,12 @@ Verdict FilmSteps::solve_stage(int i, double dt, const std::vector<FilmStage>& s
     carry_on(now.trend, by.c[i] * dt, film);
   }
   for (int k = 0; k < 2; ++k) film.flight[k] = film.position.q[k] - (q[k] + own * v[k]);
-  if (heat_) expect_temperatures(i, dt, stages, now, film);
+  if (heat_) {
+    expect_temperatures(i, dt, stages, now, film);
+    if (!oil_can_be(film.columns.T)) {  // carried on too far
+      return {Status::iteration_limit, ending::Plain::film_impossible};
+    }
+  }
   if (drillings_.any()) drillings_.place(now.t + by.c[i] * dt, point_.scene);
   const SuppliesStar star = supplies_star(i, dt, stages, now);
   const Verdict verdict = solve_film_and_fronts(star, film, cost, stop);

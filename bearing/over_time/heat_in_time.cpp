@@ -113,11 +113,6 @@ bool settle(thermal::FilmEnergy& energy, std::vector<double>& T, const Walls& wa
   return false;
 }
 
-bool possible(const std::vector<double>& T) {
-  return std::all_of(T.begin(), T.end(),
-                     [](double t) { return t > kColdestOil && t < kHottestOil; });
-}
-
 /// (7) of thermal/film_energy.hpp for the oil that `s` expects in the supplies.
 void let_supplies_thin(const BearingModel& model, const FilmEquilibrium& s,
                        thermal::FilmEnergyProblem& problem) {
@@ -289,7 +284,7 @@ HeatStage HeatSteps::stage(const BearingModel& model, const OperatingPoint& poin
   out.settled = settle(energy, out.T, [&](std::vector<double>& T) {
     return shaft ? shaft->follow(energy, T) : 0.0;
   });
-  out.possible = possible(out.T);
+  out.possible = oil_can_be(out.T);
   out.flows.balance = energy.balance(out.T);
   out.flows.work = friction.torque() * point.scene.speed / g.radius + pump_power(model, point, s) +
                    energy.heat_of_thinning() * g.multiplicity();

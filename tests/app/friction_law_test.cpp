@@ -171,7 +171,18 @@ TEST_CASE("KeysAndBoundsThatCannotBeFittedAreRefused", "[identify]") {
   CHECK(good[0].value.start == 300.0);
   CHECK(good[1].unit == "um");
   CHECK(good[1].words(12.5) == "12.5 um");
-  check_parts(against({b}, {}), {"--fit " + b, "bounds are missing", b + "=150:600"});
+  const auto within = keys({b + "=1..1e4,bearing.radial_clearance=10 um..50"}, {});
+  for (std::size_t k = 0; k < 2; ++k) {
+    CHECK(within[k].value.low == good[k].value.low);
+    CHECK(within[k].value.high == good[k].value.high);
+    CHECK_FALSE(within[k].usual_bounds);
+  }
+  const auto usual = keys({b}, {});
+  CHECK(usual[0].usual_bounds);
+  CHECK(usual[0].value.low == 30.0);
+  CHECK(usual[0].value.high == 3000.0);
+  check_parts(against({b + "=1..1e4"}, {b + "=1:1e4"}), {"--fit " + b, "keep one of them"});
+  check_parts(against({b + "=1-1e4"}, {}), {"--fit " + b, "no range", "KEY=FROM..TO"});
   check_parts(against({b}, {b + "=5:1"}), {"not below"});
   check_parts(against({b}, {b + "=1:100"}), {"300", "not between"});
   check_parts(against({b}, {b + "=x:100"}), {"no number"});

@@ -88,7 +88,7 @@ TEST_CASE("IdentifyRefusesWhatTheDataCannotTellWithThree", "[identify]") {
   const ScratchFolder scratch;
   const auto path = scratch.write("case.toml", rubbing_case());
   const auto data = scratch.write("data.csv", torques({10, 40, 150}));
-  const Ended ended = run_words({"identify", path, "--measured", data, "--fit",
+  const Ended ended = run_words({"identify", path, "--data", data, "--fit",
                                  kLaw + "a," + kLaw + "b", "--set", kLaw + "adhesive=0.08",
                                  "--bounds", kLaw + "a=1.5:100", "--bounds", kLaw + "b=1:1e5"});
   CHECK(ended.code == kNotConverged);
@@ -108,11 +108,12 @@ TEST_CASE("IdentifyWithoutWhatItNeedsEndsWithTwo", "[identify]") {
   };
   const std::string key = kLaw + "adhesive";
   const std::string bounds = key + "=0.01:0.5";
-  CHECK(code({"--fit", key, "--bounds", bounds}, "--measured DATA.csv") == kBadInput);
+  CHECK(code({"--fit", key, "--bounds", bounds}, "--data FILE.csv") == kBadInput);
   CHECK(code({"--measured", data, "--fit", key, "--bounds", bounds}, "data.csv:2:5") == kBadInput);
   const auto good = scratch.write("good.csv", "speed [rpm], friction_torque [N m]\n40, 1\n");
   CHECK(code({"--measured", good}, "--fit KEY") == kBadInput);
-  CHECK(code({"--measured", good, "--fit", key}, "bounds are missing") == kBadInput);
+  CHECK(code({"--data", good, "--fit", key + "=0.01..2"}, "between 0 and 1") == kBadInput);
+  CHECK(code({"--data", good, "--fit", key + "=0.5"}, "KEY=FROM..TO") == kBadInput);
   CHECK(code({"--measured", good, "--set", "oil.name=0W20", "--fit", "oil.name"},
              "oil.name is no number") == kBadInput);
   CHECK(code({"--measured", good, "--fit", kLaw + "adhesvie"}, kLaw + "adhesive") == kBadInput);

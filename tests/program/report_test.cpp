@@ -50,6 +50,24 @@ TEST_CASE("AResultFileAloneMakesAPageAndAFilmForParaView") {
   CHECK(contains(text_of(folder + "/film.vtu"), "p [Pa]"));
 }
 
+TEST_CASE("AResultOfALoadCycleMovesOnItsPage") {
+  const ScratchFolder scratch;
+  const std::string result = scratch.path("a.h5"), page = scratch.path("a.html");
+  const std::string file = read_text_file(std::string(SHELLBACK_SOURCE_DIR) + "/cases/pulse.toml");
+  scratch.write("pulse-load.csv",
+                read_text_file(std::string(SHELLBACK_SOURCE_DIR) + "/cases/pulse-load.csv"));
+  const Ended ended = run_words({"run", scratch.write("case.toml", file), "--tier", "isothermal",
+                                 "--set", kCoarse, "--set", "model.tolerance=10 %", "-o", result});
+  INFO(ended.err);
+  REQUIRE(ended.code == kDone);
+  REQUIRE(run_words({"report", result, "-o", page}).code == kDone);
+  const std::string html = text_of(page);
+  CHECK(contains(html, "class=\"frame now\""));
+  CHECK(contains(html, "Path of the journal"));
+  // The circle is the clearance: the journal at the first instant is as far out as the file says.
+  CHECK(contains(html, "largest pressure"));
+}
+
 TEST_CASE("ASteadyStateIsDrawnAndHasAPage") {
   const ScratchFolder scratch;
   const std::string file = scratch.write("case.toml", kSampleCase);

@@ -39,6 +39,17 @@ Field mirror_to_full(const FilmGrid& grid, const Field& half_field) {
   return full;
 }
 
+Field per_cell(const FilmGrid& grid, Field per_area) {
+  for (int c = 0; c < grid.cells(); ++c) per_area[c] *= grid.area(c);
+  return per_area;
+}
+
+double area_integral(const FilmGrid& grid, const Field& field) {
+  double sum = 0.0;
+  for (int c = 0; c < grid.cells(); ++c) sum += field[c] * grid.area(c);
+  return sum * grid.multiplicity();
+}
+
 double area_mean(const FilmGrid& grid, const Field& field) {
   double sum = 0.0;
   double area = 0.0;
@@ -48,6 +59,12 @@ double area_mean(const FilmGrid& grid, const Field& field) {
     area += a;
   }
   return sum / area;
+}
+
+double axial_mean(const FilmGrid& grid, const std::vector<double>& of_rings) {
+  double sum = 0.0;
+  for (int j = 0; j < grid.nz; ++j) sum += of_rings[j] * grid.dz[j];
+  return sum / (grid.z_face.back() - grid.z_face.front());
 }
 
 Field interpolate(const FilmGrid& from, const Field& field, const FilmGrid& to) {

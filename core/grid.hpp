@@ -45,8 +45,17 @@ struct FilmGrid {
 [[nodiscard]] FilmGrid full_grid(const FilmGrid& grid);
 [[nodiscard]] Field mirror_to_full(const FilmGrid& grid, const Field& half_field);
 
+/// x A of each cell: what lies in it of a field that is given per area.
+[[nodiscard]] Field per_cell(const FilmGrid& grid, Field per_area);
+
+/// Integral of x dA over the whole surface, both halves: the sum of x A over the cells.
+[[nodiscard]] double area_integral(const FilmGrid& grid, const Field& field);
+
 /// Mean over the area of all cells.
 [[nodiscard]] double area_mean(const FilmGrid& grid, const Field& field);
+
+/// Mean over the width of nz values, one a ring of cells.
+[[nodiscard]] double axial_mean(const FilmGrid& grid, const std::vector<double>& of_rings);
 
 /// Field moved from one grid to another of the same bearing by bilinear interpolation between
 /// cell positions, periodic in phi, constant beyond the outermost axial cells.

@@ -105,7 +105,7 @@ void widen_bars_of_wear(const Case& c, const RunningInRun& run, States& bars) {
     Field wear;
     for (const double h : gap) wear.push_back(left(h));
     bars[k].depth = larger(bars[k].depth, left(run.states[k].h_min));
-    bars[k].volume = larger(bars[k].volume, worn_volume(g, wear));
+    bars[k].volume = larger(bars[k].volume, area_integral(g, wear));
   }
 }
 

@@ -39,11 +39,9 @@ Motion fitted(const FilmGrid& g, int unknowns, const Field& force, const Field& 
 }  // namespace
 
 Field carrying_force(const BearingModel& model, const FilmEquilibrium& film) {
-  const FilmGrid& g = model.domain.grid;
-  Field force = film.film.p;
-  for (std::size_t c = 0; c < film.p_contact.size(); ++c) force[c] += film.p_contact[c];
-  for (int c = 0; c < g.cells(); ++c) force[c] *= g.area(c);
-  return force;
+  Field pressure = film.film.p;
+  for (std::size_t c = 0; c < film.p_contact.size(); ++c) pressure[c] += film.p_contact[c];
+  return per_cell(model.domain.grid, std::move(pressure));
 }
 
 std::array<double, 4> motion_of(const BearingModel& model, int unknowns, const Field& force,

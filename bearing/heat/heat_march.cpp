@@ -63,8 +63,7 @@ void tell_bodies(const FilmGrid& g, const SolidTemperature& solids,
                  const thermal::EnergyBalance& film, double films, const Field& deformation,
                  Instant& i) {
   i.T_shell_back = area_mean(g, solids.shell.back);
-  for (int j = 0; j < g.nz; ++j) i.T_shaft += solids.shaft.temperature[j] * g.dz[j];
-  i.T_shaft /= g.z_face.back() - g.z_face.front();
+  i.T_shaft = axial_mean(g, solids.shaft.temperature);
   i.heat_out = films * (film.carried_out - film.carried_in) + solids.shell.heat_back +
                solids.shell.heat_ends + solids.shaft.heat_out;
   i.stored = solids.shell.stored + solids.shaft.stored + films * film.stored;

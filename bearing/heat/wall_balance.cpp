@@ -15,9 +15,9 @@ WallBalance::WallBalance(Solution& s, const HeatStep* step) : s_(s), step_(step)
 thermal::FilmEnergyProblem WallBalance::problem(const Friction& friction) const {
   std::optional<thermal::FilmStorage> storage;
   if (step_) {
-    const FilmGrid& g = s_.model.domain.grid;
-    Field mass = fluid::oil_content(s_.point.scene, s_.film.gap, s_.film.oil, s_.film.film);
-    for (int c = 0; c < g.cells(); ++c) mass[c] *= g.area(c);
+    const Field mass =
+        per_cell(s_.model.domain.grid,
+                 fluid::oil_content(s_.point.scene, s_.film.gap, s_.film.oil, s_.film.film));
     storage = thermal::FilmStorage{step_->dt, mass, mass,
                                    thermal::heat_content(mass, step_->enthalpy_before)};
   }

@@ -25,10 +25,7 @@ CycleRecord::CycleRecord(const FilmSteps& film, const LoadCourse& course, double
     : film_(&film), course_(&course), length_(length) {}
 
 double CycleRecord::oil_in_gap(const Field& oil) const {
-  const FilmGrid& g = film_->model().domain.grid;
-  double sum = 0.0;
-  for (int c = 0; c < g.cells(); ++c) sum += oil[c] * g.area(c);
-  return g.multiplicity() * sum;
+  return area_integral(film_->model().domain.grid, oil);
 }
 
 Field CycleRecord::shell_surface(const FilmInTime& now) const {

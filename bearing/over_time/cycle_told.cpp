@@ -107,10 +107,7 @@ void CycleRecord::add_heat(std::vector<CycleQuantity>& out) const {
 
 HeatTaken CycleRecord::heat_taken() const {
   const auto over_area = [&](const Field& heat) {
-    const FilmGrid& g = film_->model().domain.grid;
-    double sum = 0.0;
-    for (int c = 0; c < g.cells(); ++c) sum += heat[c] * g.area(c);
-    return g.multiplicity() * sum / told();
+    return area_integral(film_->model().domain.grid, heat) / told();
   };
   return {over_area(heat_.to_shell), over_area(heat_.to_shaft)};
 }

@@ -86,11 +86,11 @@ void unpack(const std::vector<double>& x, double clearance, WallMeans& walls) {
 }
 
 double mean_difference(const FilmGrid& g, const WallMeans& a, const WallMeans& b) {
-  Field shell(a.shell.size());
-  for (std::size_t k = 0; k < shell.size(); ++k) shell[k] = std::abs(a.shell[k] - b.shell[k]);
-  double shaft = 0.0;
-  for (int j = 0; j < g.nz; ++j) shaft += g.dz[j] * std::abs(a.shaft[j] - b.shaft[j]);
-  return larger(area_mean(g, shell), shaft / (g.z_face.back() - g.z_face.front()));
+  const auto apart = [](std::vector<double> x, const std::vector<double>& y) {
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] = std::abs(x[k] - y[k]);
+    return x;
+  };
+  return larger(area_mean(g, apart(a.shell, b.shell)), axial_mean(g, apart(a.shaft, b.shaft)));
 }
 
 namespace {

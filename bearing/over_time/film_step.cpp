@@ -244,10 +244,9 @@ Verdict FilmSteps::solve_film_and_fronts(const SuppliesStar& star, FilmEquilibri
 double FilmSteps::filled_in(double own, const FilmEquilibrium& film) const {
   constexpr double kLeast = 1e-4;  // the film of a bearing at rest is not known better
   const Field oil = fluid::oil_content(point_.scene, film.gap, film.oil, film.film);
-  const double flown = own * fluid::flow_scale(film.flow);
   const FilmGrid& g = model_.domain.grid;
-  double held = 0.0;
-  for (int c = 0; c < g.cells(); ++c) held += oil[c] * g.area(c);
+  const double flown = own * fluid::flow_scale(film.flow);       // of the part that is solved
+  const double held = area_integral(g, oil) / g.multiplicity();  // there, too
   return flown > held ? std::max(kLeast, held / flown) : 1.0;
 }
 

@@ -57,7 +57,7 @@ bool FilmSteps::leave_room(const WallMeans& walls, const FilmInTime& now) const 
 void FilmSteps::renew_heat(FilmInTime& now) const {
   if (!heat_) return;
   std::vector<double> skin = std::move(now.heat.skin);
-  now.heat = heat_->begin(model_, now.film.columns.T, of_cells(model_.domain.grid, now.oil));
+  now.heat = heat_->begin(model_, now.film.columns.T, per_cell(model_.domain.grid, now.oil));
   if (!skin.empty()) now.heat.skin = std::move(skin);
 }
 
@@ -79,7 +79,7 @@ bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmI
   now.oil_slope.clear();
   if (first) {
     heat_->walls = std::move(walls);
-    now.heat = heat_->begin(model_, now.film.columns.T, of_cells(g, now.oil));
+    now.heat = heat_->begin(model_, now.film.columns.T, per_cell(g, now.oil));
     widening_ = widening_at(now.t, now.heat.skin);
     for (int k = 0; k < 2; ++k) now.film.position.q[k] *= wider;
     if (!reshape(now)) return false;
@@ -102,7 +102,7 @@ void FilmSteps::rest_walls(FilmInTime& now) {
   const HeatFlows& flows = now.heat.flows;
   if (!heat_ || flows.to_shell.empty()) return;
   heat_->walls.flux = flows.to_shell;
-  heat_->walls.shaft_flux = mean_of_rings(model_, of_cells(model_.domain.grid, flows.to_shaft));
+  heat_->walls.shaft_flux = mean_of_rings(model_, per_cell(model_.domain.grid, flows.to_shaft));
   hold_walls(now);
 }
 
@@ -120,8 +120,8 @@ Verdict FilmSteps::solve_heat(int i, double dt, const std::vector<FilmStage>& st
   const FilmGrid& g = model_.domain.grid;
   Field after = point_.scene.storage.before;
   add(own, found.oil, after);
-  found.heat = heat_->stage(model_, point_, film, own, of_cells(g, point_.scene.storage.before),
-                            of_cells(g, std::move(after)), held, skin);
+  found.heat = heat_->stage(model_, point_, film, own, per_cell(g, point_.scene.storage.before),
+                            per_cell(g, std::move(after)), held, skin);
   for (int k = 0; k < 2; ++k) found.heat.flows.work -= film.force[k] * found.velocity[k];
   if (found.heat.possible && found.heat.settled) return {};
   return {Status::iteration_limit,

@@ -12,9 +12,7 @@
 namespace shellback::bearing {
 
 std::vector<double> FilmSteps::oil_of(const FilmInTime& now) const {
-  const FilmGrid& g = model_.domain.grid;
-  std::vector<double> oil = now.oil;
-  for (int c = 0; c < g.cells(); ++c) oil[c] *= g.area(c);
+  std::vector<double> oil = per_cell(model_.domain.grid, now.oil);
   oil.insert(oil.end(), now.vessels.begin(), now.vessels.end());
   return oil;
 }

@@ -141,11 +141,6 @@ double reach_of_heat(const Case& c, double t) {
   return std::max(deep, reach(c.shaft->material));
 }
 
-Field of_cells(const FilmGrid& g, Field x) {
-  for (int c = 0; c < g.cells(); ++c) x[c] *= g.area(c);
-  return x;
-}
-
 std::vector<double> mean_of_rings(const BearingModel& model, const Field& per_cell) {
   const FilmGrid& g = model.domain.grid;
   std::vector<double> mean(g.nz, 0.0);
@@ -241,7 +236,7 @@ void HeatSteps::heat_skin(const BearingModel& model, double own, const std::vect
   const thermal::SkinStep step = skin_.over(own);
   for (int c = 0; c < g.cells(); ++c) warm(step, out.flows.to_shell[c] - walls.flux[c], T);
   if (shaft_) {
-    const std::vector<double> flux = mean_of_rings(model, of_cells(g, out.flows.to_shaft));
+    const std::vector<double> flux = mean_of_rings(model, per_cell(g, out.flows.to_shaft));
     const thermal::SkinStep turning = shaft_->over(own);
     for (int j = 0; j < g.nz; ++j) warm(turning, flux[j] - flux_of_ring(j), T);
   }
@@ -277,7 +272,7 @@ HeatStage HeatSteps::stage(const BearingModel& model, const OperatingPoint& poin
   if (shaft_) {
     const thermal::SkinStep turning = shaft_->over(own);
     shaft.emplace(model, turning.impedance(), free_shaft(turning, out.skin),
-                  mean_of_rings(model, of_cells(g, rubbed.shaft)));
+                  mean_of_rings(model, per_cell(g, rubbed.shaft)));
   }
   thermal::FilmEnergy energy(std::move(problem));
   if (shaft) shaft->meet(energy, out.T);

@@ -42,9 +42,6 @@ struct WallMeans {
 /// layer's own a in each [m].
 [[nodiscard]] double reach_of_heat(const Case& c, double t);
 
-/// What is given per area, per cell.
-[[nodiscard]] Field of_cells(const FilmGrid& g, Field per_area);
-
 /// Sum over the cells of each ring, of those that meet the walls, over the ring's area.
 [[nodiscard]] std::vector<double> mean_of_rings(const BearingModel& model, const Field& per_cell);
 

@@ -4,12 +4,6 @@
 
 namespace shellback::bearing {
 
-double worn_volume(const FilmGrid& g, const Field& wear) {
-  double sum = 0.0;
-  for (int k = 0; k < g.cells(); ++k) sum += wear[k] * g.area(k);
-  return sum * g.multiplicity();
-}
-
 Profile wear_table(const FilmGrid& g, const Field& wear) {
   Profile table;
   table.phi = g.phi;

@@ -50,9 +50,6 @@ struct RunningInRun {
   std::vector<Note> warnings;  ///< of the wear itself
 };
 
-/// What is gone with a wear [m] of the cells that are solved, over the full bearing [m3].
-[[nodiscard]] double worn_volume(const FilmGrid& g, const Field& wear);
-
 /// The wear as a table that a case takes as bearing.shape: positions of the cells and, continued
 /// linearly, both side edges.
 [[nodiscard]] Profile wear_table(const FilmGrid& full, const Field& wear);

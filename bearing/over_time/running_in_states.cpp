@@ -16,7 +16,7 @@ void note_state(const WornBearing& b, double t, double step, const StepError& er
     state.volume_error = error.carried * run.states.back().volume_error + error.volume;
   }
   state.depth = largest(wear);
-  state.volume = worn_volume(g, wear);
+  state.volume = area_integral(g, wear);
   b.tell(state, run);
   run.states.push_back(state);
   run.grid = full_grid(g);

@@ -187,10 +187,7 @@ void add_heat(const Solution& s, Quantities& q) {
   q.T_shell_max = largest(s.heat.solids.shell.surface);
   q.T_shell_back = area_mean(m.domain.grid, s.heat.solids.shell.back);
   q.T_shell_back_max = largest(s.heat.solids.shell.back);
-  const auto& shaft = s.heat.solids.shaft.temperature;
-  double T_shaft = 0.0;
-  for (std::size_t j = 0; j < shaft.size(); ++j) T_shaft += shaft[j] * m.domain.grid.dz[j];
-  q.T_shaft = T_shaft / (m.domain.grid.z_face.back() - m.domain.grid.z_face.front());
+  q.T_shaft = axial_mean(m.domain.grid, s.heat.solids.shaft.temperature);
   q.T_supply_mixed = mixed_supply(s);
   q.heat_by_oil = twice * (s.heat.balance.carried_out - s.heat.balance.carried_in);
   q.heat_to_shell = s.heat.solids.shell.heat_in;

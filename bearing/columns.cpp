@@ -284,10 +284,9 @@ std::vector<double> viscosity_at_rest(const rheology::Oil& oil, const CrossFilmN
   const auto n = static_cast<std::size_t>(gl.n);
   const std::size_t cells = p.size();
   for (std::size_t cell = 0; cell < cells; ++cell) {
-    double mean = 0.0;
-    for (std::size_t k = 0; k < n; ++k) mean += gl.w[k] * c.T[cell * n + k];
+    const double* T = &c.T[cell * n];
     const bool mixed = supply[cell] >= 0;  // between walls that are as warm as they are
-    c.T_mean[cell] = mixed ? c.T[cell * n + 1] : mean;
+    c.T_mean[cell] = mixed ? T[1] : gl.mean(T);
   }
   std::vector<double> low(cells * n);
   if (even) {

@@ -21,6 +21,13 @@ struct CrossFilmNodes {
   std::vector<double> A;  ///< n x n, conduction [-]
   /// True: the oil of a column has one temperature, that of the nodes between the walls.
   bool one_temperature = false;
+
+  /// sum w_k f_k of the n values of one column, from `f` on.
+  [[nodiscard]] double mean(const double* f) const {
+    double sum = 0.0;
+    for (int k = 0; k < n; ++k) sum += w[k] * f[k];
+    return sum;
+  }
 };
 
 /// D^T W D: the conduction of a set whose D is exact for what its nodes can hold.

@@ -26,9 +26,7 @@ double oil_mean_temperature(const BearingModel& m, const FilmEquilibrium& f) {
       const int c = g.index(i, j);
       if (m.supply.cell[c] >= 0) continue;
       const double w = g.area(i, j) * f.film.theta[c] * f.shear_gap[c];
-      double T = 0.0;
-      for (int k = 0; k < m.gl.n; ++k) T += m.gl.w[k] * f.columns.T[c * m.gl.n + k];
-      sum += w * T;
+      sum += w * m.gl.mean(&f.columns.T[c * m.gl.n]);
       oil += w;
     }
   }
@@ -256,9 +254,9 @@ Fields fields_of(const Solution& s, const Friction& f) {
   if (!m.physics.film_energy || !s.heat.known()) return out;
   out.s = m.gl.s;
   out.T = nodes_on_full(m, s.film.columns.T);
-  Field mean(m.domain.grid.cells(), 0.0);
+  Field mean(m.domain.grid.cells());
   for (std::size_t c = 0; c < mean.size(); ++c) {
-    for (int k = 0; k < m.gl.n; ++k) mean[c] += m.gl.w[k] * s.film.columns.T[c * m.gl.n + k];
+    mean[c] = m.gl.mean(&s.film.columns.T[c * m.gl.n]);
   }
   out.T_mean = on_full(m, mean);
   out.T_shell_surface = on_full(m, s.heat.solids.shell.surface);

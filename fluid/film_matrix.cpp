@@ -254,11 +254,9 @@ Field residual_by_position(const FilmScene& scene, const FilmFlow& flow, int com
   for (const BentFace& f : flow.bent_phi) phi[f.face] *= f.slope.own;
   for (const BentFace& f : flow.bent_z) z[f.face] *= f.slope.own;
   Field r = outflow_by_gap(scene, flow, phi, z);
-  for (std::size_t k = 0; k < flow.stored_by_gap.size(); ++k) {
-    const auto i = static_cast<int>(k) / g.nz;
-    const auto j = static_cast<int>(k) % g.nz;
-    r[k] += flow.stored_by_gap[k] * gap_slope(component, a.cos_cell[i], a.sin_cell[i], g.z[j]);
-  }
+  if (flow.stored_by_gap.empty()) return r;
+  const Field slope = gap_slopes(g, a, component);
+  for (std::size_t k = 0; k < r.size(); ++k) r[k] += flow.stored_by_gap[k] * slope[k];
   return r;
 }
 

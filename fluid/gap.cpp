@@ -14,6 +14,16 @@ Angles::Angles(const FilmGrid& g) {
   }
 }
 
+Field gap_slopes(const FilmGrid& g, const Angles& angles, int k) {
+  Field slope(g.cells());
+  for (int i = 0; i < g.nt; ++i) {
+    for (int j = 0; j < g.nz; ++j) {
+      slope[g.index(i, j)] = gap_slope(k, angles.cos_cell[i], angles.sin_cell[i], g.z[j]);
+    }
+  }
+  return slope;
+}
+
 namespace {
 
 double rigid(double c, const JournalPosition& q, double cos_phi, double sin_phi, double z) {

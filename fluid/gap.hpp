@@ -78,6 +78,9 @@ struct Angles {
   explicit Angles(const FilmGrid& grid);
 };
 
+/// gap_slope of component k at all cells [-] or, of tilts, [m].
+[[nodiscard]] Field gap_slopes(const FilmGrid& grid, const Angles& angles, int k);
+
 /// The gap of a rigid bearing plus the smooth displacement d (cells; empty: none), the profile
 /// (cells; empty: none) and the shape (none: a cylinder). Displacements are averaged to faces,
 /// continued to the edges as edge_gap says; the shape is taken as it is there. `summits`: height

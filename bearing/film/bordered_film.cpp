@@ -37,8 +37,7 @@ BorderedFilm::BorderedFilm(const BearingModel& model, const fluid::FilmScene& sc
                            const FilmEquilibrium& s, int journal, RingFactor& factor,
                            EquilibriumCost& cost)
     : scene_(scene), s_(s), m_(journal), factor_(factor) {
-  const FilmGrid& g = scene.grid;
-  const int n = g.cells();
+  const int n = scene.grid.cells();
   RingMatrix& matrix = workspace().matrix;
   fluid::assemble_film(scene, s.flow, fluid::active_set_unknowns(s.film), matrix);
   if (!s.elastic.empty()) {
@@ -55,12 +54,7 @@ BorderedFilm::BorderedFilm(const BearingModel& model, const fluid::FilmScene& sc
   ++cost.factorizations;
   good_ = factor_.factorize(matrix);
   for (int l = 0; good_ && l < m_; ++l) {
-    Field slope(n);
-    for (int k = 0; k < n; ++k) {
-      const int i = k / g.nz;
-      slope[k] =
-          fluid::gap_slope(l, scene.angles.cos_cell[i], scene.angles.sin_cell[i], g.z[k % g.nz]);
-    }
+    const Field slope = fluid::gap_slopes(scene.grid, scene.angles, l);
     Field a = fluid::residual_by_position(scene, s.flow, l);
     for (double& x : a) x = -x;
     Field b;

@@ -24,15 +24,9 @@ Field content_by(const FilmResponse& answer, const fluid::OilStore& store) {
 Field content_by_motion(const Solution& s, const FilmResponse& slow, const fluid::OilStore& store,
                         int component) {
   const fluid::FilmScene& scene = s.point.scene;
-  const FilmGrid& g = scene.grid;
   Field m = content_by(slow, store);
-  for (int i = 0; i < g.nt; ++i) {
-    for (int j = 0; j < g.nz; ++j) {
-      const int k = g.index(i, j);
-      m[k] += store.by_gap[k] * fluid::gap_slope(component, scene.angles.cos_cell[i],
-                                                 scene.angles.sin_cell[i], g.z[j]);
-    }
-  }
+  const Field slope = fluid::gap_slopes(scene.grid, scene.angles, component);
+  for (std::size_t k = 0; k < m.size(); ++k) m[k] += store.by_gap[k] * slope[k];
   return m;
 }
 

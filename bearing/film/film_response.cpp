@@ -111,17 +111,10 @@ FilmResponse LinearFilm::sharpened(const Field& a, const Field& r, const Field& 
 
 FilmResponse LinearFilm::to_position(int component) {
   const fluid::FilmScene& scene = point_.scene;
-  const FilmGrid& g = scene.grid;
   Field a = fluid::residual_by_position(scene, s_.flow, component);
   for (double& x : a) x = -x;
-  Field r(g.cells());
-  for (int i = 0; i < g.nt; ++i) {
-    for (int j = 0; j < g.nz; ++j) {
-      const int k = g.index(i, j);
-      r[k] = s_.dp_contact[k] * fluid::gap_slope(component, scene.angles.cos_cell[i],
-                                                 scene.angles.sin_cell[i], g.z[j]);
-    }
-  }
+  Field r = fluid::gap_slopes(scene.grid, scene.angles, component);
+  for (std::size_t k = 0; k < r.size(); ++k) r[k] *= s_.dp_contact[k];
   return sharpened(a, r, {}, component);
 }
 

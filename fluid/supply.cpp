@@ -198,6 +198,13 @@ Field in_supply(const SupplyMap& map) {
   return in;
 }
 
+std::vector<double> sum_over_touching(const std::vector<int>& touching,
+                                      const std::vector<double>& of_patch) {
+  std::vector<double> sum(touching.size(), 0.0);
+  for (std::size_t k = 0; k < sum.size(); ++k) sum[touching[k]] += of_patch[k];
+  return sum;
+}
+
 SupplyMap map_supplies(const FilmGrid& g, const std::vector<SupplyPatch>& patches) {
   SupplyMap map;
   map.patches = patches;

@@ -71,6 +71,11 @@ inline constexpr double kShortestReach = 1e-3;
 /// 1 in the cells that supplies take, elsewhere 0 [-].
 [[nodiscard]] Field in_supply(const SupplyMap& map);
 
+/// Sum over the patches that touch, under the first of them; 0 under the others. `of_patch` of any
+/// unit, `touching` as in SupplyMap.
+[[nodiscard]] std::vector<double> sum_over_touching(const std::vector<int>& touching,
+                                                    const std::vector<double>& of_patch);
+
 /// Marks cells and faces of patches that do not move. Throws InputError if two patches overlap.
 [[nodiscard]] SupplyMap map_supplies(const FilmGrid& grid, const std::vector<SupplyPatch>& patches);
 

@@ -37,8 +37,7 @@ std::vector<double> fed_temperatures(const Case& c, const std::vector<int>& touc
 
 OilFed oil_fed(const Case& c, const std::vector<int>& touching, const std::vector<double>& out_of) {
   const std::vector<double> T = fed_temperatures(c, touching);
-  std::vector<double> net(out_of.size(), 0.0);
-  for (std::size_t k = 0; k < out_of.size(); ++k) net[touching[k]] += out_of[k];
+  const std::vector<double> net = fluid::sum_over_touching(touching, out_of);
   OilFed fed;
   double sum = 0.0;
   for (std::size_t k = 0; k < net.size(); ++k) {

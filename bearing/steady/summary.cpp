@@ -160,11 +160,9 @@ double mixed_supply(const Solution& s) {
   double fed = 0.0;
   double by_flow = 0.0;
   double sum = 0.0;
-  std::vector<double> of_vessel(T.size(), 0.0);  // supplies that touch are one
-  const std::vector<int>& vessel = s.point.scene.supply.touching;
-  for (std::size_t k = 0; k < T.size(); ++k) of_vessel[vessel[k]] += flows.patch[k];
+  const auto net = fluid::sum_over_touching(s.point.scene.supply.touching, flows.patch);
   for (std::size_t k = 0; k < T.size(); ++k) {
-    const double out = std::max(of_vessel[k], 0.0);
+    const double out = std::max(net[k], 0.0);
     fed += out;
     by_flow += out * T[k];
     sum += T[k];
@@ -275,10 +273,8 @@ Fields fields_of(const Solution& s, const Friction& f) {
 /// Of several vessels those whose net flow runs back.
 void add_supplies_that_take_back(const Solution& s, std::vector<Note>& out) {
   constexpr double kTold = 0.01;  // of what is fed: less is the next digit of a balance [-]
-  const std::vector<int>& vessel = s.point.scene.supply.touching;
   const auto flows = fluid::oil_flows(s.point.scene, s.film.flow);
-  std::vector<double> net(vessel.size(), 0.0);
-  for (std::size_t k = 0; k < vessel.size(); ++k) net[vessel[k]] += flows.patch[k];
+  const auto net = fluid::sum_over_touching(s.point.scene.supply.touching, flows.patch);
   double fed = 0.0;
   for (const double q : net) fed += std::max(q, 0.0);
   const double rho = reference_density(s.model);

@@ -31,18 +31,11 @@ constexpr double kMost = 4.0;
 const std::vector<Grid> kCycleGrids{{48, 8}, {60, 10}, {80, 14}, {96, 12}, {200, 25}, kUsualGrid};
 constexpr Grid kFirst{96, 12};
 
-/// Of the mean torque and of the smallest film [-].
-struct FrictionAndFilm {
-  double friction = 0.0;
-  double h_min = 0.0;
-  [[nodiscard]] double larger() const { return std::max(friction, h_min); }
-};
-
 /// One number of each of the two.
 template <class F>
-FrictionAndFilm both(const CycleResult& r, F of) {
-  const CycleQuantity* friction = named(r, "friction_torque");
-  const CycleQuantity* h_min = named(r, "h_min");
+Bars both(const CycleResult& r, F of) {
+  const CycleQuantity* friction = quantity_named(r, "friction_torque");
+  const CycleQuantity* h_min = quantity_named(r, "h_min");
   if (friction == nullptr || h_min == nullptr) return {INFINITY, INFINITY};
   return {of(*friction), of(*h_min)};
 }
@@ -78,7 +71,7 @@ class CycleTierSearch {
   [[nodiscard]] std::optional<CycleResult> good_estimate() {
     if (case_.model.grid_given || lack_for(case_, Tier::estimate)) return {};
     CycleResult r = estimate_cycle(case_, control_);
-    const FrictionAndFilm bars =
+    const Bars bars =
         both(r, [](const CycleQuantity& q) { return over_value(q.quantity.error(), q); });
     if (!r.verdict.good() || bars.larger() > case_.model.tolerance) return {};
     if (!is_laminar(r.warnings)) return {};
@@ -134,8 +127,7 @@ class CycleTierSearch {
         const double rich_value = value_of(rich, q.quantity.name);
         return kModelSafety * over_value(q.quantity.value - rich_value, q);
       };
-      const FrictionAndFilm left =
-          both(cheap, [&](const CycleQuantity& q) { return std::abs(change(q)); });
+      const Bars left = both(cheap, [&](const CycleQuantity& q) { return std::abs(change(q)); });
       if (left.larger() > (1.0 - kOfSteps - kWorthAGrid) * case_.model.tolerance) continue;
       tier_ = tier;
       left_out_ = left;
@@ -150,15 +142,15 @@ class CycleTierSearch {
     return true;
   }
 
-  [[nodiscard]] FrictionAndFilm of_grid() const {
+  [[nodiscard]] Bars of_grid() const {
     return both(last_, [](const CycleQuantity& q) { return over_value(q.quantity.error_grid, q); });
   }
-  [[nodiscard]] FrictionAndFilm of_steps() const {
+  [[nodiscard]] Bars of_steps() const {
     return both(last_, [](const CycleQuantity& q) { return over_value(q.quantity.error_time, q); });
   }
   /// What shorter steps leave.
-  [[nodiscard]] FrictionAndFilm without_steps() const {
-    const FrictionAndFilm grid = of_grid();
+  [[nodiscard]] Bars without_steps() const {
+    const Bars grid = of_grid();
     return {grid.friction + left_out_.friction, grid.h_min + left_out_.h_min};
   }
   [[nodiscard]] bool within() const { return bars_of(last_).larger() <= case_.model.tolerance; }
@@ -167,7 +159,7 @@ class CycleTierSearch {
   [[nodiscard]] double more_cells(const char* name, double bar, double left_out) const {
     const double physics = std::isfinite(left_out) ? left_out : 0.0;
     const double wanted = (1.0 - kOfSteps) * case_.model.tolerance - physics;
-    const double order = named(last_, name)->quantity.order;
+    const double order = quantity_named(last_, name)->quantity.order;
     const double p = std::isfinite(order) && order > 0.0 ? order : 1.0;
     const double more = std::pow(bar / wanted, 2.0 / p);
     return std::isfinite(more) ? std::clamp(more, 1.0, kMost) : kMost;
@@ -186,7 +178,7 @@ class CycleTierSearch {
     const bool finest = case_.model.grid_given || before == kUsualGrid;
     if (finest && without_steps().larger() > case_.model.tolerance) return false;
     if (shorter) on_.model.tolerance *= std::clamp(std::pow(allowed / steps, power), least, 1.0);
-    const FrictionAndFilm grid = of_grid();
+    const Bars grid = of_grid();
     const double more = std::max(more_cells("friction_torque", grid.friction, left_out_.friction),
                                  more_cells("h_min", grid.h_min, left_out_.h_min));
     if (!case_.model.grid_given && more > 1.0) {
@@ -201,7 +193,7 @@ class CycleTierSearch {
 
   CycleResult chosen(CycleResult r) const {
     if (stopped(control_)) r.verdict = {Status::interrupted};
-    const FrictionAndFilm known = bars_of(r);
+    const Bars known = bars_of(r);
     if (r.verdict.good()) {
       const bool met = known.larger() <= case_.model.tolerance && is_laminar(r.warnings);
       r.choice = AutoChoice{case_.model.tolerance, met, known.friction, known.h_min, solved_};
@@ -244,7 +236,7 @@ class CycleTierSearch {
   }
 
   /// The sum of all bars that are told; not known where nothing richer judges.
-  [[nodiscard]] FrictionAndFilm bars_of(const CycleResult& r) const {
+  [[nodiscard]] Bars bars_of(const CycleResult& r) const {
     if (!unjudged_.empty()) return {INFINITY, INFINITY};
     return both(r, [this](const CycleQuantity& q) {
       return over_value(q.quantity.error_grid + q.quantity.error_time + left_of(q.quantity), q);
@@ -262,7 +254,7 @@ class CycleTierSearch {
   const SolveControl& control_;
   Case on_ = case_;  ///< with what is tried: grid, tolerance, tier
   Tier tier_ = Tier::isothermal;
-  FrictionAndFilm left_out_;                   ///< by the tier that was chosen
+  Bars left_out_{0.0, 0.0};                    ///< by the tier that was chosen
   std::vector<Left> left_;                     ///< every quantity of it; empty: nothing is left out
   std::vector<note::NothingRicher> unjudged_;  ///< the richest tier, where it judges nothing
   CycleResult last_;

@@ -7,17 +7,9 @@
 #include <vector>
 
 #include "fidelity/grid_sequence.hpp"
+#include "fidelity/tolerance.hpp"
 
 namespace shellback::fidelity {
-
-/// Relative bars of the two quantities that the tolerance is for.
-struct Bars {
-  double friction = INFINITY;
-  double h_min = INFINITY;
-  [[nodiscard]] bool within(double tolerance) const {
-    return friction <= tolerance && h_min <= tolerance;
-  }
-};
 
 /// Part of the tolerance that an effect left out or a node less may change; below it nothing
 /// decides [-].

@@ -70,7 +70,7 @@ void widen_bars_of_power(CycleResult& r) {
   double turned = 0.0;  // [rad]
   for (const CycleInstant& i : r.instants) turned += i.dt * std::abs(i.omega);
   const double speed = turned / r.instants.back().t;
-  const CycleQuantity& torque = *named(r, "friction_torque");
+  const CycleQuantity& torque = *quantity_named(r, "friction_torque");
   const double of_grid = torque.quantity.error_grid;
   const double of_time = torque.quantity.error_time;
   for (CycleQuantity& q : r.quantities) {
@@ -84,8 +84,7 @@ void widen_bars_of_power(CycleResult& r) {
 void put_grid_bars(const Case& c, const std::vector<CycleResult>& coarse_to_fine,
                    const CycleResult* finer, CycleResult& r) {
   const auto size = [](const std::array<int, 2>& g) { return 1.0 / std::sqrt(g[0] * g[1]); };
-  std::vector<Quantity> all;
-  for (const CycleQuantity& q : r.quantities) all.push_back(q.quantity);
+  const std::vector<Quantity> all = quantities_of(r);
   const LandError lands = land_error(c);
   std::vector<BarOfSize> bars;
   for (CycleQuantity& q : r.quantities) {
@@ -131,10 +130,8 @@ void add_between_instants(CycleResult& r) {
 void put_time_bars(const CycleResult& usual, const CycleResult& other, double part,
                    CycleResult& r) {
   for (CycleQuantity& q : r.quantities) {
-    const auto same =
-        std::find_if(usual.quantities.begin(), usual.quantities.end(),
-                     [&](const CycleQuantity& of) { return of.quantity.name == q.quantity.name; });
-    if (same == usual.quantities.end()) continue;
+    const CycleQuantity* same = quantity_named(usual, q.quantity.name);
+    if (same == nullptr) continue;
     const double change = value_of(other, q.quantity.name) - same->quantity.value;
     const double size = std::max(same->quantity.size(), q.quantity.size());
     if (size > 0.0) q.quantity.error_time = part * std::abs(change) / size * q.quantity.size();
@@ -144,8 +141,7 @@ void put_time_bars(const CycleResult& usual, const CycleResult& other, double pa
 
 /// As those of the grid: a quantity that two steps happen to agree on is no better known than all.
 void share_time_bars(const Case& c, CycleResult& r) {
-  std::vector<Quantity> all;
-  for (const CycleQuantity& q : r.quantities) all.push_back(q.quantity);
+  const std::vector<Quantity> all = quantities_of(r);
   std::vector<BarOfSize> bars;
   for (CycleQuantity& q : r.quantities) {
     if (given_by_case(c, r.tier, q.quantity.name)) continue;
@@ -179,18 +175,11 @@ void add_unsettled_walls(const Case& c, CycleResult& r) {
 
 }  // namespace
 
-const CycleQuantity* named(const CycleResult& r, const char* name) {
-  for (const CycleQuantity& q : r.quantities) {
-    if (q.quantity.name == name) return &q;
-  }
-  return nullptr;
-}
-
 void widen_bars_of_light_contact(const Case& c, CycleResult& r, BarOf bar) {
   if (!physics_of(c, r.tier).contact) return;
-  CycleQuantity torque = *named(r, "friction_torque"), film = *named(r, "h_min");
+  CycleQuantity torque = *quantity_named(r, "friction_torque"), film = *quantity_named(r, "h_min");
   const double all = torque.quantity.size();
-  if (!(named(r, "friction_torque_asperity")->quantity.size() < kLight * all)) return;
+  if (!(quantity_named(r, "friction_torque_asperity")->quantity.size() < kLight * all)) return;
   const solid::AsperityContact contact = *contact_of(c);
   const double now = contact.at(film.quantity.value).p;
   const double more = left_open_by_film(contact, film.quantity.value, bar(film));
@@ -305,7 +294,7 @@ bool put_bars_of_steps(const Case& c, const SolvedCycle& usual, double most_work
 /// Bars over a cycle hold nothing of the physics left out.
 void tell_cold_clearance(const Case& c, CycleResult& r) {
   constexpr double kWorthAWord = 0.05;  // of the clearance
-  const CycleQuantity* T = named(r, "T_film_mean");
+  const CycleQuantity* T = quantity_named(r, "T_film_mean");
   if (T == nullptr || physics_of(c, r.tier).thermal_deformation) return;
   const double part = thermal_opening(c, T->quantity.value);
   if (part > kWorthAWord) r.assumptions.push_back(note::ColdClearance{part});
@@ -340,7 +329,7 @@ CycleResult solve_cycle_with_bars(const Case& c, const SolveControl& control) {
   widen_bars_of_light_contact(c, r, bar_of_grid);
   for (CycleQuantity& q : r.quantities) {
     if (q.quantity.name != "layer_depth") continue;
-    if (layer_may_have_flowed(c, q.quantity, named(r, "p_max")->quantity)) {
+    if (layer_may_have_flowed(c, q.quantity, quantity_named(r, "p_max")->quantity)) {
       q.quantity.error_grid = std::numeric_limits<double>::quiet_NaN();
     }
   }

@@ -32,9 +32,6 @@ namespace shellback::fidelity {
 [[nodiscard]] std::optional<bearing::CycleResult> cycle_with_bars_of_steps(
     const bearing::Case& c, const bearing::SolveControl& control);
 
-/// The quantity of this name; null: the cycle has none.
-[[nodiscard]] const bearing::CycleQuantity* named(const bearing::CycleResult& r, const char* name);
-
 /// One of the bars of a quantity.
 using BarOf = double& (*)(bearing::CycleQuantity&);
 

@@ -73,6 +73,10 @@ double edge_error(const bearing::Solution& s) {
                     s.film.least);
 }
 
+double part_hidden_at_edge(const bearing::Solution& s) {
+  return s.film.least.h > 0.0 ? edge_error(s) / s.film.least.h : 0.0;
+}
+
 double edge_error(const FilmGrid& g, const Field& h, const Field& in_supply,
                   const fluid::SmallestGap& least) {
   if (g.nz < 3) return 0.0;

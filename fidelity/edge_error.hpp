@@ -25,6 +25,8 @@ namespace shellback::fidelity {
 [[nodiscard]] double edge_error(const FilmGrid& grid, const Field& h, const Field& in_supply,
                                 const fluid::SmallestGap& least);
 [[nodiscard]] double edge_error(const bearing::Solution& s);
+/// (2) as a part of the smallest film [-]; 0 where no film is open.
+[[nodiscard]] double part_hidden_at_edge(const bearing::Solution& s);
 
 /// The same for the smallest gap of each place over a load cycle: full-width, from where its line
 /// through the last two cells is least on an edge, if no cell has less.

@@ -55,13 +55,6 @@ Instants passed(const std::vector<Stretch>& stretches, const WarmUpOptions& opti
   }
 }
 
-/// What the edge hides of the smallest film at the end, as a part of it [-].
-double hidden_at_edge(const CourseRun& run) {
-  const FilmEquilibrium& film = run.solution.film;
-  if (run.over_cycles || !(film.least.h > 0.0)) return 0.0;
-  return edge_error(run.solution) / film.least.h;
-}
-
 Instants time_bars(const Instants& usual, const Instants& other, const CourseRun& run) {
   auto bars = unknown<Instant>(run.instants.size(), kFollowedInstants);
   std::size_t begin = 0, n = 0;
@@ -133,7 +126,7 @@ void add_open_within_cycles(Case c, const Grid& grid, SolveControl control, cons
       for (Instant& bar : bars) bar.*q.value = NAN;
       continue;
     }
-    const CycleQuantity* known = named(*cycle, q.name);
+    const CycleQuantity* known = quantity_named(*cycle, q.name);
     if (known == nullptr) continue;  // of bodies: they see the cycle's mean
     const Quantity& told = known->quantity;
     const double open = std::min(told.error_time, furthest(c, told));
@@ -203,8 +196,8 @@ MarchBars march_bars(const std::vector<Stretch>& stretches, const WarmUpOptions&
                              return passed(as_taken(stretches, run, grid, join), options, within);
                            });
   if (!coarse.usual.empty()) {
-    bars.grid = bars_of_grids(coarse.usual, run.instants, c.model.grid, hidden_at_edge(run),
-                              kFollowedInstants);
+    const double at_edge = run.over_cycles ? 0.0 : part_hidden_at_edge(run.solution);
+    bars.grid = bars_of_grids(coarse.usual, run.instants, c.model.grid, at_edge, kFollowedInstants);
     bars.time = time_bars(coarse.usual.back().second, coarse.joined, run);
     const Begun begun{options.T_start, mean_supply_temperature(c)};
     share(run, begun, land_error(c), bars.grid);

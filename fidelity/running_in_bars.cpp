@@ -37,21 +37,18 @@ States on_grid(Case c, const Grid& grid, const std::vector<double>& steps,
 
 /// What the edge hides of the smallest film at the end, as a part of it [-].
 double hidden_at_edge(const RunningInRun& run) {
+  if (!run.cycle) return part_hidden_at_edge(run.solution);
+  const CycleFields& f = run.cycle->fields;
   const double least = run.states.back().h_min;
-  if (!(least > 0.0)) return 0.0;
-  if (run.cycle) {
-    const CycleFields& f = run.cycle->fields;
-    return edge_error(f.grid, f.h_min, f.in_supply) / least;
-  }
-  return edge_error(run.solution) / least;
+  return least > 0.0 ? edge_error(f.grid, f.h_min, f.in_supply) / least : 0.0;
 }
 
 /// Whether summits hardly touch at the end, where they have worn: share of the load, over a cycle
 /// of the friction.
 bool touches_lightly(const RunningInRun& run) {
   if (!run.cycle) return value_in(scalars(run.solution), "asperity_load_share") < kLight;
-  return named(*run.cycle, "friction_torque_asperity")->quantity.size() <
-         kLight * named(*run.cycle, "friction_torque")->quantity.size();
+  return quantity_named(*run.cycle, "friction_torque_asperity")->quantity.size() <
+         kLight * quantity_named(*run.cycle, "friction_torque")->quantity.size();
 }
 
 /// The case with the surface that it has at `state`.
@@ -156,7 +153,7 @@ RunningInState open_within_cycle(const Case& c, const RunningInState& state,
   RunningInState part = unknown<RunningInState>(1, kFollowedStates).front();
   if (!cycle) return part;
   const auto of = [&](const char* name, double value) {
-    const Quantity& q = named(*cycle, name)->quantity;
+    const Quantity& q = quantity_named(*cycle, name)->quantity;
     const double size = std::max(q.size(), std::abs(value));
     return size > 0.0 ? std::min(q.error_time, furthest(c, q)) / size : 0.0;
   };

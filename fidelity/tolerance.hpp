@@ -8,11 +8,23 @@
 /// leave: where that is more than kWorthAGrid of what is allowed, kMoreNodes more are expected to,
 /// with which it was measured; otherwise it counts as allowed less. Where the physics left out
 /// takes all or most of the tolerance, no grid does. Textbook (Richardson).
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "bearing/result.hpp"
 
 namespace shellback::fidelity {
+
+/// Bars, over their values, of the two quantities that the tolerance is for [-].
+struct Bars {
+  double friction = INFINITY;  ///< of the friction torque, over a cycle its mean
+  double h_min = INFINITY;
+  [[nodiscard]] double larger() const { return std::max(friction, h_min); }
+  [[nodiscard]] bool within(double tolerance) const {
+    return friction <= tolerance && h_min <= tolerance;
+  }
+};
 
 /// Bars over the value of one quantity [-]; NaN: not known.
 struct RelativeBars {

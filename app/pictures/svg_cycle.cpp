@@ -66,7 +66,7 @@ FieldMap map_of(const bearing::Case& c, const CycleResult& cycle, FilmField whic
   bearing::Result film;
   film.fields.grid = cycle.fields.grid;
   film.fields.supplied.assign(cycle.fields.in_supply.begin(), cycle.fields.in_supply.end());
-  for (const auto& q : cycle.quantities) film.quantities.push_back(q.quantity);
+  film.quantities = quantities_of(cycle);
   (which == FilmField::gap                 ? film.fields.h
    : which == FilmField::shell_temperature ? film.fields.T_shell_surface
                                            : film.fields.p) = field;

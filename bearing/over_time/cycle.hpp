@@ -137,8 +137,14 @@ struct CycleResult {
   std::optional<AutoChoice> choice;  ///< set if tier `auto` chose
 };
 
+/// The quantity `name`; null if the cycle's tier does not know it.
+[[nodiscard]] const CycleQuantity* quantity_named(const CycleResult& r, const std::string& name);
+
 /// Value of the quantity `name`, or not-a-number if the cycle's tier does not know it.
 [[nodiscard]] double value_of(const CycleResult& r, const std::string& name);
+
+/// What the cycle tells, without the instants.
+[[nodiscard]] std::vector<Quantity> quantities_of(const CycleResult& r);
 
 /// What a cycle has in common with the result of a steady state: verdict, notes, grid and cost.
 [[nodiscard]] Result head_of(const CycleResult& r);

@@ -4,11 +4,22 @@
 
 namespace shellback::bearing {
 
-double value_of(const CycleResult& r, const std::string& name) {
+const CycleQuantity* quantity_named(const CycleResult& r, const std::string& name) {
   for (const CycleQuantity& q : r.quantities) {
-    if (q.quantity.name == name) return q.quantity.value;
+    if (q.quantity.name == name) return &q;
   }
-  return NAN;
+  return nullptr;
+}
+
+double value_of(const CycleResult& r, const std::string& name) {
+  const CycleQuantity* known = quantity_named(r, name);
+  return known == nullptr ? NAN : known->quantity.value;
+}
+
+std::vector<Quantity> quantities_of(const CycleResult& r) {
+  std::vector<Quantity> all;
+  for (const CycleQuantity& q : r.quantities) all.push_back(q.quantity);
+  return all;
 }
 
 Result head_of(const CycleResult& r) {
@@ -31,7 +42,7 @@ Result head_of(const CycleResult& r) {
 
 Result as_result(const CycleResult& r) {
   Result result = head_of(r);
-  for (const CycleQuantity& q : r.quantities) result.quantities.push_back(q.quantity);
+  result.quantities = quantities_of(r);
   return result;
 }
 

@@ -35,10 +35,9 @@ inline CycleResult converged(const Case& c, Tier tier = Tier::isothermal) {
 }
 
 inline const CycleQuantity& named(const CycleResult& r, const std::string& name) {
-  for (const CycleQuantity& q : r.quantities) {
-    if (q.quantity.name == name) return q;
-  }
-  throw std::runtime_error("no quantity " + name);
+  const CycleQuantity* q = quantity_named(r, name);
+  if (q == nullptr) throw std::runtime_error("no quantity " + name);
+  return *q;
 }
 
 inline double value(const CycleResult& r, const std::string& name) {

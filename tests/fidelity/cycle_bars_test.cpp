@@ -6,7 +6,7 @@
 #include "app/words/ending_words.hpp"
 #include "core/constants.hpp"
 #include "fidelity/bar_rules.hpp"
-#include "tests/bearing/sample_bearing.hpp"
+#include "tests/bearing/solved.hpp"
 
 using namespace shellback;
 using namespace shellback::bearing;
@@ -34,13 +34,6 @@ Case pulsed() {
   c.cycle = cycle;
   c.model.grid = {96, 17};
   return c;
-}
-
-const CycleQuantity& named(const CycleResult& r, const std::string& name) {
-  for (const CycleQuantity& q : r.quantities) {
-    if (q.quantity.name == name) return q;
-  }
-  throw std::runtime_error("no quantity " + name);
 }
 
 }  // namespace

@@ -20,10 +20,9 @@ using namespace bearing;
 using namespace bearing::tests;
 
 const Quantity& named(const CycleResult& r, const std::string& name) {
-  for (const CycleQuantity& q : r.quantities) {
-    if (q.quantity.name == name) return q.quantity;
-  }
-  throw std::runtime_error("no quantity " + name);
+  const CycleQuantity* q = quantity_named(r, name);
+  if (q == nullptr) throw std::runtime_error("no quantity " + name);
+  return q->quantity;
 }
 
 /// `c` under `W` that turns with `turning` [rad/s] from `angle` on; one turn of the journal, or of

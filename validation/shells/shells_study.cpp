@@ -126,10 +126,8 @@ void add_powers(ShellCycle& c) {
 }
 
 double error_of(const CycleResult& r, const std::string& name) {
-  for (const bearing::CycleQuantity& q : r.quantities) {
-    if (q.quantity.name == name) return q.quantity.error_grid + q.quantity.error_time;
-  }
-  return NAN;
+  const bearing::CycleQuantity* q = quantity_named(r, name);
+  return q == nullptr ? NAN : q->quantity.error_grid + q->quantity.error_time;
 }
 
 double ShellCycle::power_error() const {

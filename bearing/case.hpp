@@ -25,12 +25,14 @@ struct Profile {
   std::vector<double> phi{};     ///< n sorted positions in [0, 2 pi) [rad]
   std::vector<double> z{};       ///< m sorted positions [m]
   std::vector<double> height{};  ///< n x m, index i * m + k: gap added there [m]
+  [[nodiscard]] bool operator==(const Profile&) const = default;
 };
 
 /// The bore opens over `length` from each side edge inwards, by `depth` at the edge itself.
 struct EdgeOpening {
   double depth = 0.0;   ///< [m]
   double length = 0.0;  ///< [m]
+  [[nodiscard]] bool operator==(const EdgeOpening&) const = default;
 };
 
 struct Bearing {
@@ -43,6 +45,7 @@ struct Bearing {
   std::optional<EdgeOpening> edge_relief{};  ///< a parabola, tangent to the cylinder
   std::optional<EdgeOpening> chamfer{};      ///< a cone
   std::optional<Profile> wear{};             ///< what running-in has taken away so far
+  [[nodiscard]] bool operator==(const Bearing&) const = default;
 };
 
 /// A drilling is a hole of the journal and turns with it; it belongs to load cycles.

@@ -11,35 +11,18 @@
 namespace shellback::bearing {
 namespace {
 
-bool alike(const std::optional<Profile>& a, const std::optional<Profile>& b) {
-  if (!a || !b) return a.has_value() == b.has_value();
-  return a->phi == b->phi && a->z == b->z && a->height == b->height;
-}
-
-bool alike(const std::optional<EdgeOpening>& a, const std::optional<EdgeOpening>& b) {
-  if (!a || !b) return a.has_value() == b.has_value();
-  return a->depth == b->depth && a->length == b->length;
-}
-
 /// Supplies at the same places: the film's cells follow them.
-bool alike(const std::vector<Supply>& a, const std::vector<Supply>& b) {
+bool same_places(const std::vector<Supply>& a, const std::vector<Supply>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Supply& x, const Supply& y) {
     return x.kind == y.kind && x.angle == y.angle && x.z == y.z && x.arc == y.arc &&
            x.length == y.length && x.diameter == y.diameter;
   });
 }
 
-bool same_bore(const Bearing& a, const Bearing& b) {
-  return a.radius == b.radius && a.width == b.width && a.radial_clearance == b.radial_clearance &&
-         alike(a.profile, b.profile) && alike(a.shape, b.shape) && alike(a.wear, b.wear) &&
-         alike(a.edge_relief, b.edge_relief) && alike(a.chamfer, b.chamfer);
-}
-
 bool one_bearing(const Case& a, const Case& b) {
-  return a.shell == b.shell && a.shaft == b.shaft && same_bore(a.bearing, b.bearing) &&
-         alike(a.supplies, b.supplies) && a.model.grid == b.model.grid &&
+  return a.shell == b.shell && a.shaft == b.shaft && a.bearing == b.bearing &&
+         same_places(a.supplies, b.supplies) && a.model.grid == b.model.grid &&
          a.model.axial_spacing == b.model.axial_spacing &&
-         a.bearing.reference_temperature == b.bearing.reference_temperature &&
          a.cycle.has_value() == b.cycle.has_value();
 }
 

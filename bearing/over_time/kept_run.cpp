@@ -72,7 +72,11 @@ Tape::Content KeptRun::written(const std::function<void(Tape&)>& search) {
 
 void KeptRun::keep(const std::function<void(Tape&)>& search) {
   const auto begin = Clock::now();
-  save_(written(search));
+  save(written(search), begin);
+}
+
+void KeptRun::save(const Tape::Content& content, Clock::time_point begin) {
+  save_(content);
   kept_ = Clock::now();
   saving_s_ = seconds(kept_ - begin);
 }
@@ -88,11 +92,8 @@ void KeptRun::note_ended() {
 
 void KeptRun::keep_noted() {
   if (!noted_) return;
-  const auto begin = Clock::now();
-  save_(*noted_);
+  save(*noted_, Clock::now());
   noted_.reset();
-  kept_ = Clock::now();
-  saving_s_ = seconds(kept_ - begin);
 }
 
 void begin_take_up(KeptRun* kept, const std::function<void(Tape&)>& search) {

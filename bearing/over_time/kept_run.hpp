@@ -67,9 +67,10 @@ class KeptRun {
   void keep_noted();
 
  private:
-  Tape::Content written(const std::function<void(Tape&)>& search);
-
   using Clock = std::chrono::steady_clock;
+
+  Tape::Content written(const std::function<void(Tape&)>& search);
+  void save(const Tape::Content& content, Clock::time_point begin);
 
   Save save_;
   Replay<Ended> ended_;

@@ -34,9 +34,7 @@ void keep(KeptRun* kept, bool in_any_case, WornBearing& b, RunningInRun& run, Mo
 /// What `more` was when it was kept, after bearing and states; nothing was: as it is.
 template <class More>
 void take_up(KeptRun* kept, More& more) {
-  if (kept == nullptr || kept->under_way() == nullptr) return;
-  (*kept->under_way())(more);
-  kept->taken_up();
+  static_cast<void>(take_up_noted(kept, [&](Tape& tape) { tape(more); }));
 }
 
 }  // namespace shellback::bearing

@@ -1,5 +1,6 @@
 #include "app/hdf5_result.hpp"
 
+#include <cmath>
 #include <functional>
 #include <numeric>
 
@@ -23,6 +24,17 @@ void write_head(hid_t file, const Result& result) {
   attribute(file, "reason", words.reason);
   attribute(file, "place", words.place);
   attribute(file, "cure", words.cure);
+}
+
+void write_bars(hid_t quantities, const bearing::Quantity& q) {
+  const auto known = [&](const char* suffix, double value) {  // what is not known is not there
+    if (std::isfinite(value)) attribute(quantities, q.name + suffix, value);
+  };
+  known("_error", q.error());
+  known("_error_grid", q.error_grid);
+  known("_error_time", q.error_time);
+  known("_error_model", q.error_model);
+  known("_limit", q.limit);
 }
 
 void write_cost(hid_t file, const bearing::Cost& k) {

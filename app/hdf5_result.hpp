@@ -19,6 +19,9 @@ std::vector<T> column(const List& list, Member member) {
 /// Attributes format to cure.
 void write_head(hid_t file, const bearing::Result& result);
 
+/// What is known of the bars of a quantity, of each kind and together, beside its value.
+void write_bars(hid_t quantities, const bearing::Quantity& q);
+
 /// Group cost.
 void write_cost(hid_t file, const bearing::Cost& k);
 

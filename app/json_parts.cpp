@@ -7,12 +7,15 @@
 #include "app/provenance.hpp"
 #include "app/words/effect_words.hpp"
 #include "app/words/ending_words.hpp"
+#include "app/words/note_words.hpp"
 #include "core/constants.hpp"
 #include "fidelity/tolerance.hpp"
 
 namespace shellback::app::json_parts {
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+double number_from(const Json& json) { return json.is_number() ? json.get<double>() : NAN; }
 
 Json with_unit(double value, const std::string& unit) {
   if (unit == "rad") return {{"value", number(value * 180.0 / kPi)}, {"unit", "deg"}};
@@ -27,6 +30,36 @@ void add_status(Json& json, const Verdict& verdict) {
   json["reason"] = words.reason;
   json["place"] = words.place;
   json["cure"] = words.cure;
+}
+
+void add_bars(Json& entry, const bearing::Quantity& q) {
+  const auto add = [&](const char* key, double bar) {  // what is not known is not there
+    if (std::isfinite(bar)) entry[key] = with_unit(bar, q.unit)["value"];
+  };
+  add("error", q.error());
+  add("error_grid", q.error_grid);
+  add("error_time", q.error_time);
+  add("error_model", q.error_model);
+  add("limit", q.limit);
+}
+
+void add_head(Json& json, const bearing::Case& c, const bearing::Result& result) {
+  add_status(json, result.verdict);
+  json["tier"] = to_string(result.tier);
+  if (result.choice) {
+    json["chosen_by"] = "auto";
+    json["solved"] = result.choice->solved;
+  }
+  if (result.verdict.good()) json["tolerance"] = tolerance_json(c, result);
+  json["title"] = result.title;
+}
+
+void add_notes(Json& json, const bearing::Result& result) {
+  json["limiters"] = limiters_json(result.limiters);
+  json["warnings"] = app::words_of(result.warnings);
+  json["assumptions"] = app::words_of(result.assumptions);
+  json["grid"] = result.grid;
+  json["cost"] = cost_json(result.cost);
 }
 
 Json cost_json(const bearing::Cost& k) {

@@ -33,15 +33,11 @@ void write_scalars(hid_t file, const CycleResult& cycle) {
     const std::string& name = q.quantity.name;
     attribute(quantities, name, q.quantity.value);
     attribute(quantities, name + "_unit", q.quantity.unit);
-    const auto known = [&](const char* suffix, double value) {  // what is not known is not there
-      if (std::isfinite(value)) attribute(quantities, name + suffix, value);
-    };
-    known("_at", shown_instant(cycle, q.at));
-    if (std::isfinite(q.at)) attribute(quantities, name + "_at_unit", told_unit(cycle));
-    known("_error", q.quantity.error());
-    known("_error_grid", q.quantity.error_grid);
-    known("_error_time", q.quantity.error_time);
-    known("_error_model", q.quantity.error_model);
+    if (std::isfinite(q.at)) {
+      attribute(quantities, name + "_at", shown_instant(cycle, q.at));
+      attribute(quantities, name + "_at_unit", told_unit(cycle));
+    }
+    write_bars(quantities, q.quantity);
   }
   const Handle audit = group(file, "audit");
   for (const AuditFigure& a : audit_of(cycle)) attribute(audit, a.name, a.value);

@@ -1,7 +1,5 @@
 #include "app/write_hdf5.hpp"
 
-#include <cmath>
-
 #include "app/hdf5_result.hpp"
 #include "app/words/effect_words.hpp"
 
@@ -18,14 +16,7 @@ void write_scalars(hid_t file, const Result& result) {
   for (const auto& q : result.quantities) {
     attribute(quantities, q.name, q.value);
     attribute(quantities, q.name + "_unit", q.unit);
-    const auto bar = [&](const char* suffix, double value) {  // what is not known is not there
-      if (std::isfinite(value)) attribute(quantities, q.name + suffix, value);
-    };
-    bar("_error", q.error());
-    bar("_error_grid", q.error_grid);
-    bar("_error_time", q.error_time);
-    bar("_error_model", q.error_model);
-    bar("_limit", q.limit);
+    write_bars(quantities, q);
   }
   const Handle audit = group(file, "audit");
   attribute(audit, "mass", result.audit.mass);

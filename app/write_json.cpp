@@ -22,14 +22,7 @@ Json quantities(const bearing::Result& result) {
   Json all = Json::object();
   for (const auto& q : result.quantities) {
     Json& entry = all[q.name] = with_unit(q.value, q.unit);
-    const auto add = [&](const char* key, double bar) {  // what is not known is not there
-      if (std::isfinite(bar)) entry[key] = with_unit(bar, q.unit)["value"];
-    };
-    add("error", q.error());
-    add("error_grid", q.error_grid);
-    add("error_time", q.error_time);
-    add("error_model", q.error_model);
-    add("limit", q.limit);
+    add_bars(entry, q);
   }
   return all;
 }
@@ -145,25 +138,14 @@ Json audit_json(const bearing::Audit& a) {
 
 Json to_json(const bearing::Case& c, const bearing::Result& result) {
   Json json;
-  add_status(json, result.verdict);
-  json["tier"] = to_string(result.tier);
-  if (result.choice) {
-    json["chosen_by"] = "auto";
-    json["solved"] = result.choice->solved;
-  }
-  if (result.verdict.good()) json["tolerance"] = tolerance_json(c, result);
-  json["title"] = result.title;
+  add_head(json, c, result);
   json["quantities"] = quantities(result);
   if (!result.supplies.empty()) json["supplies"] = supplies_json(result);
   json["audit"] = audit_json(result.audit);
   if (result.coefficients) json["coefficients"] = coefficients(*result.coefficients);
   if (!result.heat_roots.empty()) json["heat_roots"] = heat_roots(result);
   json["effects"] = effects(result);
-  json["limiters"] = limiters_json(result.limiters);
-  json["warnings"] = words_of(result.warnings);
-  json["assumptions"] = words_of(result.assumptions);
-  json["grid"] = result.grid;
-  json["cost"] = cost_json(result.cost);
+  add_notes(json, result);
   json["history"] = history(result);
   json["provenance"] = provenance_json(c);
   return json;

@@ -1,14 +1,14 @@
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "app/json_parts.hpp"
 #include "validation/honesty/auto_report.hpp"
 #include "validation/honesty/auto_wire.hpp"
 
 namespace shellback::validation {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using namespace app::json_parts;
 
 double median(std::vector<double> x) {
   if (x.empty()) return NAN;
@@ -73,8 +73,6 @@ AutoSummary summary_of(const std::vector<AutoTrial>& trials, double tolerance) {
   costs.put(s);
   return s;
 }
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json share_json(const Share& s) {
   const ShareInterval i = s.interval();

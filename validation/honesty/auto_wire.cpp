@@ -1,14 +1,11 @@
 #include "validation/honesty/auto_wire.hpp"
 
-#include <cmath>
-#include <nlohmann/json.hpp>
+#include "app/json_parts.hpp"
 
 namespace shellback::validation {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-double number_from(const Json& j) { return j.is_number() ? j.get<double>() : NAN; }
+using namespace app::json_parts;
 
 Json answer_json(const AutoAnswer& a) {
   return {{"tolerance", a.tolerance},

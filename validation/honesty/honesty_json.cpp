@@ -1,6 +1,4 @@
-#include <cmath>
-#include <nlohmann/json.hpp>
-
+#include "app/json_parts.hpp"
 #include "validation/honesty/coverage.hpp"
 #include "validation/honesty/honesty_report.hpp"
 #include "validation/honesty/honesty_wire.hpp"
@@ -8,10 +6,8 @@
 namespace shellback::validation {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using namespace app::json_parts;
 using bearing::Tier;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json coverage_json(const Coverage& c) {
   const ShareInterval missing = wilson(c.no_truth, c.count + c.no_truth);

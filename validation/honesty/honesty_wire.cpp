@@ -1,18 +1,12 @@
 #include "validation/honesty/honesty_wire.hpp"
 
-#include <cmath>
-#include <nlohmann/json.hpp>
-
+#include "app/json_parts.hpp"
 #include "app/reading/read_case.hpp"
 
 namespace shellback::validation {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-double number_from(const Json& j) { return j.is_number() ? j.get<double>() : NAN; }
+using namespace app::json_parts;
 
 Json numbers(const std::vector<double>& values) {
   Json list = Json::array();

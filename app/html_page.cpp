@@ -9,23 +9,30 @@
 
 namespace shellback::app {
 
-std::string page_head(const std::string& plain_title, const std::vector<std::string>& scene,
-                      const std::string& kind) {
-  const std::string title = escape_markup(plain_title);
+std::string page_head(const PageHead& head) {
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n"
+      "<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n"
       "<p class=\"kicker\">Shellback {}</p>\n<h1>{}</h1>\n",
-      title, page_style(), kind, title);
-  for (const std::string& line : scene) {
+      escape_markup(head.title), page_style(), head.style, head.kind,
+      escape_markup(head.heading.empty() ? head.title : head.heading));
+  for (const std::string& line : head.scene) {
     if (!line.empty()) html += "<p class=\"scene\">" + escape_markup(line) + "</p>\n";
   }
   return html;
 }
 
 std::string page_head(const bearing::Case& c, const std::string& kind) {
-  return page_head(c.title, {describe_case(c, Writing::typeset), describe_changes(c)}, kind);
+  return page_head({.title = c.title,
+                    .scene = {describe_case(c, Writing::typeset), describe_changes(c)},
+                    .kind = kind});
+}
+
+std::string figure_html(const Svg& svg, const std::string& label, const std::string& caption) {
+  std::string html = "<figure>" + svg.inline_element(label);
+  if (!caption.empty()) html += "<figcaption>" + escape_markup(caption) + "</figcaption>";
+  return html + "</figure>\n";
 }
 
 std::string figure_html(double width, double height, const std::string& label,
@@ -34,9 +41,7 @@ std::string figure_html(double width, double height, const std::string& label,
   constexpr double kAxisTitle = 8.0;  // of the width for the title of an axis that stands upright
   Svg svg(width, height);
   draw(svg, {kAxisTitle, 0.0, width - kAxisTitle, height});
-  std::string html = "<figure>" + svg.inline_element(label);
-  if (!caption.empty()) html += "<figcaption>" + escape_markup(caption) + "</figcaption>";
-  return html + "</figure>\n";
+  return figure_html(svg, label, caption);
 }
 
 std::string figures_html(const std::string& figures, const char* kind) {

@@ -10,15 +10,23 @@
 
 namespace shellback::app {
 
-/// Up to the scene, a line each (empty ones are left out); `kind` of page: "comparison", "result".
-[[nodiscard]] std::string page_head(const std::string& title, const std::vector<std::string>& scene,
-                                    const std::string& kind);
+/// What a page begins with, in plain text.
+struct PageHead {
+  std::string title{};
+  std::string heading{};             ///< empty: the title
+  std::vector<std::string> scene{};  ///< a line each; empty ones are left out
+  std::string kind{};                ///< of page: "comparison", "result"
+  std::string style{};               ///< of this page alone (CSS)
+};
+[[nodiscard]] std::string page_head(const PageHead& head);
 [[nodiscard]] std::string page_head(const bearing::Case& c, const std::string& kind);
 
 inline constexpr double kColumnWidth = 580.0;  ///< of a figure in a column [px]
 
-/// A picture in the text, drawn into a box that leaves room for the title of an upright axis;
-/// `label` is read aloud. [px]
+/// A picture in the text, with the words below it; `label` is read aloud.
+[[nodiscard]] std::string figure_html(const Svg& svg, const std::string& label,
+                                      const std::string& caption);
+/// The same, drawn into a box that leaves room for the title of an upright axis [px].
 [[nodiscard]] std::string figure_html(double width, double height, const std::string& label,
                                       const std::string& caption,
                                       const std::function<void(Svg&, const Box&)>& draw);

@@ -238,7 +238,8 @@ std::string audit_told(const StoredResult& result) {
 }  // namespace
 
 std::string report_html(const StoredResult& result) {
-  std::string html = page_head(result.title, {result.scene, result.changes}, "result");
+  std::string html =
+      page_head({.title = result.title, .scene = {result.scene, result.changes}, .kind = "result"});
   html += failure_of(result);
   html += page_section("Quantities, tier " + escape_markup(result.tier), quantities_table(result));
   html += notes_html(result.warnings, result.limiters, result.assumptions);

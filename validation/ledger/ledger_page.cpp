@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/html_style.hpp"
+#include "app/html_page.hpp"
 #include "app/pictures/svg.hpp"
 #include "app/provenance.hpp"
 #include "validation/ledger/ledger_deviation.hpp"
@@ -273,17 +273,15 @@ std::string unrun_html(const std::vector<UnrunDataset>& unrun) {
 
 std::string ledger_page(const std::vector<EntryReport>& reports,
                         const std::vector<UnrunDataset>& unrun) {
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>Shellback: validation ledger</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n"
-      "<p class=\"kicker\">Shellback validation</p>\n<h1>The ledger: ours against theirs</h1>\n"
-      "<p class=\"scene\">What was published stands apart from what was recomputed or derived for "
-      "the comparison, and both from our own former digits. Lines are ours, marks are theirs; the "
-      "strip below a picture shows each difference over what is allowed, and inside the shaded "
-      "zone "
-      "a value is within.</p>\n",
-      app::page_style(), kStyle);
+  std::string html = app::page_head(
+      {.title = "Shellback: validation ledger",
+       .heading = "The ledger: ours against theirs",
+       .scene = {"What was published stands apart from what was recomputed or derived for the "
+                 "comparison, and both from our own former digits. Lines are ours, marks are "
+                 "theirs; the strip below a picture shows each difference over what is allowed, "
+                 "and inside the shaded zone a value is within."},
+       .kind = "validation",
+       .style = kStyle});
   html += overview_html(reports);
   for (const EntryReport* report : in_order(reports)) html += entry_html(*report);
   html += unrun_html(unrun);

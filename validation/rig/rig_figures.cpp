@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/html_page.hpp"
 #include "app/pictures/svg_lines.hpp"
 #include "core/constants.hpp"
 #include "validation/rig/rig_bands.hpp"
@@ -74,10 +75,6 @@ void draw_bands(Svg& svg, const Frame& frame, const RigStudy& study, const Theme
   svg.end_clip();
 }
 
-RigFigure finished(const Svg& svg, const std::string& label, std::string caption) {
-  return {svg.inline_element(label), std::move(caption)};
-}
-
 double highest_torque(const RigStudy& study) {
   double most = 0.0;
   const auto take = [&](double v) {
@@ -90,7 +87,7 @@ double highest_torque(const RigStudy& study) {
   return most;
 }
 
-RigFigure oil_figure(const RigStudy& study, OilModel oil, int number) {
+std::string oil_figure(const RigStudy& study, OilModel oil, int number) {
   const Theme theme = app::page_theme();
   LinePlot plot = over_speed(study, fmt::format("Isothermal, {}", to_string(oil)),
                              "friction torque of the rig [N m]");
@@ -119,13 +116,14 @@ RigFigure oil_figure(const RigStudy& study, OilModel oil, int number) {
   std::string more =
       full ? " Dashed: films 3 K warmer, as the paper measured in the run-down." : "";
   if (full && study.plan.bands) more += " Shaded: unknown inputs, each alone.";
-  return finished(svg, plot.title,
-                  fmt::format("After Figure {} of the paper. Films at the temperature of the "
-                              "shell's back in our run-up.{}",
-                              number, more));
+  return app::figure_html(
+      svg, plot.title,
+      fmt::format("After Figure {} of the paper. Films at the temperature of the "
+                  "shell's back in our run-up.{}",
+                  number, more));
 }
 
-RigFigure solved_figure(const RigStudy& study) {
+std::string solved_figure(const RigStudy& study) {
   const Theme theme = app::page_theme();
   LinePlot plot =
       over_speed(study, "Temperature solved (ours)", "friction torque of the rig [N m]");
@@ -160,7 +158,7 @@ RigFigure solved_figure(const RigStudy& study) {
   const char* bands = study.plan.bands ? "Dotted: 80 kN with supply temperature and cooling at the "
                                          "ends of their ranges. "
                                        : "";
-  return finished(
+  return app::figure_html(
       svg, plot.title,
       fmt::format("No counterpart in the paper. Film, shells, housings and shaft solved; at the "
                   "end of each step of 20 minutes. {}Crosses: {}, see below.",
@@ -168,8 +166,8 @@ RigFigure solved_figure(const RigStudy& study) {
 }
 
 /// A quantity of both bearings over time.
-RigFigure time_figure(const RigStudy& study, const RigCourse& course, const std::string& title,
-                      const std::string& unit, double bearing::Instant::*value, double zero) {
+std::string time_figure(const RigStudy& study, const RigCourse& course, const std::string& title,
+                        const std::string& unit, double bearing::Instant::*value, double zero) {
   const Theme theme = app::page_theme();
   LinePlot plot;
   plot.title = title;
@@ -189,13 +187,14 @@ RigFigure time_figure(const RigStudy& study, const RigCourse& course, const std:
   plot.x = app::round_axis(0.0, std::max(end, 1.0), 8, "time [min]");
   Svg svg(kWidth, kHeight);
   draw_lines(svg, {0.0, 0.0, kWidth - kMargin, kHeight}, plot, theme);
-  return finished(svg, title,
-                  fmt::format("{}, {:.0f} minutes a step, bodies from the supply's temperature.",
-                              load_words(course.peak), study.plan.hold / kMinute));
+  return app::figure_html(
+      svg, title,
+      fmt::format("{}, {:.0f} minutes a step, bodies from the supply's temperature.",
+                  load_words(course.peak), study.plan.hold / kMinute));
 }
 
 /// Run-down less run-up over speed, as taken and with heavier bodies.
-RigFigure hysteresis_figure(const RigStudy& study) {
+std::string hysteresis_figure(const RigStudy& study) {
   const Theme theme = app::page_theme();
   LinePlot plot = over_speed(study, "Run-down less run-up, back of the test bearing's shell",
                              "temperature [K]");
@@ -225,14 +224,15 @@ RigFigure hysteresis_figure(const RigStudy& study) {
   const Frame frame = draw_lines(svg, {0.0, 0.0, kWidth - kMargin, kHeight}, plot, theme);
   plot.series.pop_back();
   draw_marks(svg, frame, plot.series, theme);
-  return finished(svg, plot.title,
-                  "The bodies of the cases are rings round each shell; rod, brackets, base and the "
-                  "oil's tank are heavier and not published.");
+  return app::figure_html(
+      svg, plot.title,
+      "The bodies of the cases are rings round each shell; rod, brackets, base and the "
+      "oil's tank are heavier and not published.");
 }
 
-RigFigure film_figure(const RigStudy& study, const std::string& title, const std::string& unit,
-                      double RigCycle::*value, double factor, double reference,
-                      const std::string& words) {
+std::string film_figure(const RigStudy& study, const std::string& title, const std::string& unit,
+                        double RigCycle::*value, double factor, double reference,
+                        const std::string& words) {
   const Theme theme = app::page_theme();
   LinePlot plot = over_speed(study, title, unit);
   for (const double peak : study.plan.peaks) {
@@ -259,36 +259,36 @@ RigFigure film_figure(const RigStudy& study, const std::string& title, const std
   const Frame frame = draw_lines(svg, {0.0, 0.0, kWidth - kMargin, kHeight}, plot, theme);
   plot.series.pop_back();
   draw_marks(svg, frame, plot.series, theme);
-  return finished(svg, title, words);
+  return app::figure_html(svg, title, words);
 }
 
 }  // namespace
 
-std::vector<RigFigure> torque_figures(const RigStudy& study) {
-  return {oil_figure(study, OilModel::temperature, 5), oil_figure(study, OilModel::pressure, 6),
-          oil_figure(study, OilModel::full, 7), solved_figure(study)};
+std::string torque_figures(const RigStudy& study) {
+  return oil_figure(study, OilModel::temperature, 5) + oil_figure(study, OilModel::pressure, 6) +
+         oil_figure(study, OilModel::full, 7) + solved_figure(study);
 }
 
-std::vector<RigFigure> course_figures(const RigStudy& study) {
+std::string course_figures(const RigStudy& study) {
   const RigCourse* course = study.course(study.plan.peaks.back());
-  return {time_figure(study, *course, "Back of the shell over time", "temperature [°C]",
-                      &bearing::Instant::T_shell_back, kZeroCelsius),
-          time_figure(study, *course, "Torque of each bearing over time", "torque [N m]",
-                      &bearing::Instant::torque, 0.0),
-          hysteresis_figure(study)};
+  return time_figure(study, *course, "Back of the shell over time", "temperature [°C]",
+                     &bearing::Instant::T_shell_back, kZeroCelsius) +
+         time_figure(study, *course, "Torque of each bearing over time", "torque [N m]",
+                     &bearing::Instant::torque, 0.0) +
+         hysteresis_figure(study);
 }
 
-std::vector<RigFigure> film_figures(const RigStudy& study) {
+std::string film_figures(const RigStudy& study) {
   constexpr double kPaperShear = 22.0;  // 2.2e7 1/s at 7000 rpm
   constexpr double kPaperPeak = 200.0;  // [MPa], 80 kN
-  return {film_figure(study, "Largest film pressure, test bearing", "[MPa]", &RigCycle::p_max,
-                      kMega, kPaperPeak, "The paper: around 200 MPa at 80 kN at every speed."),
-          film_figure(study, "Largest shear rate at mid-width, test bearing", "[1e6 1/s]",
-                      &RigCycle::shear, kMega, kPaperShear,
-                      "The paper: 2.2e7 1/s at 7000 rpm, ten times less at 1000 rpm.")};
+  return film_figure(study, "Largest film pressure, test bearing", "[MPa]", &RigCycle::p_max, kMega,
+                     kPaperPeak, "The paper: around 200 MPa at 80 kN at every speed.") +
+         film_figure(study, "Largest shear rate at mid-width, test bearing", "[1e6 1/s]",
+                     &RigCycle::shear, kMega, kPaperShear,
+                     "The paper: 2.2e7 1/s at 7000 rpm, ten times less at 1000 rpm.");
 }
 
-std::vector<RigFigure> start_figures(const RigStudy& study) {
+std::string start_figures(const RigStudy& study) {
   const Theme theme = app::page_theme();
   LinePlot plot;
   plot.title = "Start and stop under 2.5 kN";
@@ -317,10 +317,10 @@ std::vector<RigFigure> start_figures(const RigStudy& study) {
   for (const double t : {1.5, 2.0}) {
     svg.line(frame.at(t, frame.y.low), frame.at(t, frame.y.high), {theme.muted, 0.9, "2 3"});
   }
-  return {
-      finished(svg, plot.title,
-               "After Figure 15 of the paper. Dotted: published times of full film, 1.5 s (worn) "
-               "and 2.0 s (new). Speed in hundreds of rpm.")};
+  return app::figure_html(
+      svg, plot.title,
+      "After Figure 15 of the paper. Dotted: published times of full film, 1.5 s (worn) "
+      "and 2.0 s (new). Speed in hundreds of rpm.");
 }
 
 }  // namespace shellback::validation

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "app/html_style.hpp"
+#include "app/html_page.hpp"
 #include "app/html_tables.hpp"
 #include "app/pictures/svg.hpp"
 #include "core/constants.hpp"
@@ -16,6 +16,8 @@ namespace shellback::validation {
 namespace {
 
 using app::escape_markup;
+using app::figures_html;
+using app::page_section;
 
 constexpr const char* kStyle = R"css(
 .yes { color: var(--accent); font-weight: 600; } .no { color: var(--more); font-weight: 600; }
@@ -34,25 +36,13 @@ constexpr const char* kIntroduction =
     "the paper says in words is what is checked. Nothing was turned until it was met.</p>\n";
 
 std::string head() {
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>KS rig: friction of three bearings</title>\n<style>{}{}</style>\n</head>\n<body>\n"
-      "<main>\n<p class=\"kicker\">Shellback study</p>\n<h1>KS rig: friction of three bearings</h1>"
-      "\n<p class=\"scene\">After Sander, Allmaier, Priebsch, InTech 2016, doi 10.5772/64247, "
-      "Figures 5 to 7 and 15: a test bearing of 47.8 x 17.2 mm and two supports of 54 x 25 mm, "
-      "each "
-      "of these under half the load; torques added</p>\n",
-      app::page_style(), kStyle);
-}
-
-std::string figures(const std::vector<RigFigure>& all) {
-  std::string html = "<div class=\"figures\">\n";
-  for (const RigFigure& f : all) {
-    html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", f.svg,
-                        escape_markup(f.caption));
-  }
-  return html + "</div>\n";
+  return app::page_head(
+      {.title = "KS rig: friction of three bearings",
+       .scene = {"After Sander, Allmaier, Priebsch, InTech 2016, doi 10.5772/64247, Figures 5 to 7 "
+                 "and 15: a test bearing of 47.8 x 17.2 mm and two supports of 54 x 25 mm, each of "
+                 "these under half the load; torques added"},
+       .kind = "study",
+       .style = kStyle});
 }
 
 std::string statements_html(const RigStudy& study) {
@@ -170,10 +160,6 @@ std::string assumed() {
       "");
 }
 
-std::string section(const std::string& heading, const std::string& content) {
-  return fmt::format("<h2>{}</h2>\n{}", heading, content);
-}
-
 }  // namespace
 
 std::string rig_page(const RigStudy& study) {
@@ -181,15 +167,15 @@ std::string rig_page(const RigStudy& study) {
   if (study.interrupted) {
     html += "<p class=\"note\"><strong>Interrupted:</strong> what was finished is shown.</p>\n";
   }
-  html += section("What the paper states", statements_html(study));
-  html += section("Friction torque over speed", figures(torque_figures(study)));
+  html += page_section("What the paper states", statements_html(study));
+  html += page_section("Friction torque over speed", figures_html(torque_figures(study)));
   html += torques_html(study);
-  html += section("Run-up and run-down", figures(course_figures(study)));
-  html += section("Film of the test bearing", figures(film_figures(study)));
-  html += section("Start and stop", figures(start_figures(study)) + starts_html(study));
-  html += section("Unknown inputs", effects_html(study));
-  html += section("Not found", list(rig_failures(study), "Every point was found."));
-  html += section("Assumed", assumed());
+  html += page_section("Run-up and run-down", figures_html(course_figures(study)));
+  html += page_section("Film of the test bearing", figures_html(film_figures(study)));
+  html += page_section("Start and stop", figures_html(start_figures(study)) + starts_html(study));
+  html += page_section("Unknown inputs", effects_html(study));
+  html += page_section("Not found", list(rig_failures(study), "Every point was found."));
+  html += page_section("Assumed", assumed());
   const bearing::Case c =
       rig_case(RigBearing::test, {study.plan.peaks.back(), 1000.0, study.plan.grid, nullptr, 0});
   html += fmt::format(

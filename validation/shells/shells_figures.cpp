@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/html_page.hpp"
 #include "app/pictures/cycle_axis.hpp"
 #include "app/pictures/svg_cycle.hpp"
 #include "app/pictures/svg_lines.hpp"
@@ -25,13 +26,9 @@ constexpr double kHeight = 340.0;    ///< [px]
 constexpr double kHalfLabel = 14.0;  ///< right of the box, for half a label [px]
 constexpr double kApart = 6.0;       ///< bars at one speed [px]
 
-ShellFigure finished(const Svg& svg, const std::string& label, std::string caption) {
-  return {svg.inline_element(label), std::move(caption)};
-}
-
 /// One curve for each shell over the cycle with temperatures.
 template <class Value>
-ShellFigure curve(const ShellsStudy& study, const std::string& title, const std::string& unit,
+std::string curve(const ShellsStudy& study, const std::string& title, const std::string& unit,
                   const Value& value, const std::string& caption) {
   const Theme theme = app::page_theme();
   LinePlot plot;
@@ -51,36 +48,37 @@ ShellFigure curve(const ShellsStudy& study, const std::string& title, const std:
   if (plot.series.empty()) {
     const bool tried = std::any_of(study.cycles.begin(), study.cycles.end(),
                                    [](const auto& shell) { return shell[0].tried; });
-    return {"", tried ? title + ": no shell has been found over the cycle."
-                      : title + ": no cycle has been run yet."};
+    return fmt::format(
+        "<figure><figcaption>{}: {}</figcaption></figure>\n", app::escape_markup(title),
+        tried ? "no shell has been found over the cycle." : "no cycle has been run yet.");
   }
   Svg svg(kWidth, kHeight);
   draw_lines(svg, {0.0, 0.0, kWidth - kHalfLabel, kHeight}, plot, theme);
-  return finished(svg, title, caption);
+  return app::figure_html(svg, title, caption);
 }
 
 }  // namespace
 
-std::vector<ShellFigure> shell_curves(const ShellsStudy& study) {
-  return {curve(
-              study, "Largest film pressure", "[MPa]",
-              [](const CycleInstant& i) { return 1e-6 * i.p_max; },
-              "Over the cycle, tier tehd; after Figure 14 of the paper."),
-          curve(
-              study, "Largest contact pressure", "[MPa]",
-              [](const CycleInstant& i) { return 1e-6 * i.p_asperity_max; }, "The same."),
-          curve(
-              study, "Friction power of the film", "[W]",
-              [](const CycleInstant& i) { return (i.torque - i.torque_asperity) * i.omega; },
-              "Viscous torque times the speed of the pin in the rod."),
-          curve(
-              study, "Friction power of asperities", "[W]",
-              [](const CycleInstant& i) { return i.torque_asperity * i.omega; }, "The same.")};
+std::string shell_curves(const ShellsStudy& study) {
+  return curve(
+             study, "Largest film pressure", "[MPa]",
+             [](const CycleInstant& i) { return 1e-6 * i.p_max; },
+             "Over the cycle, tier tehd; after Figure 14 of the paper.") +
+         curve(
+             study, "Largest contact pressure", "[MPa]",
+             [](const CycleInstant& i) { return 1e-6 * i.p_asperity_max; }, "The same.") +
+         curve(
+             study, "Friction power of the film", "[W]",
+             [](const CycleInstant& i) { return (i.torque - i.torque_asperity) * i.omega; },
+             "Viscous torque times the speed of the pin in the rod.") +
+         curve(
+             study, "Friction power of asperities", "[W]",
+             [](const CycleInstant& i) { return i.torque_asperity * i.omega; }, "The same.");
 }
 
-std::vector<ShellFigure> shell_maps(const ShellsStudy& study) {
+std::string shell_maps(const ShellsStudy& study) {
   const Theme theme = app::page_theme();
-  std::vector<ShellFigure> all;
+  std::string all;
   for (const auto& [which, words] :
        {std::pair{app::CycleMap::friction, "Friction power per area, mean over the cycle"},
         std::pair{app::CycleMap::shell, "Temperature of the lining's surface, mean"},
@@ -102,7 +100,7 @@ std::vector<ShellFigure> shell_maps(const ShellsStudy& study) {
       maps[k]->title = shell_kinds()[k].name;
       Svg svg(kWidth, 280.0);
       draw_map(svg, {12.0, 0.0, kWidth - kHalfLabel - 12.0, 280.0}, *maps[k], theme);
-      all.push_back(finished(svg, words, fmt::format("{}: {}.", shell_kinds()[k].name, words)));
+      all += app::figure_html(svg, words, fmt::format("{}: {}.", shell_kinds()[k].name, words));
     }
   }
   return all;
@@ -110,7 +108,7 @@ std::vector<ShellFigure> shell_maps(const ShellsStudy& study) {
 
 namespace {
 
-ShellFigure capability_figure(const ShellsStudy& study, bool worn) {
+std::string capability_figure(const ShellsStudy& study, bool worn) {
   const Theme theme = app::page_theme();
   LinePlot plot;
   plot.title = worn ? "Load capability, run in" : "Load capability, new";
@@ -162,7 +160,7 @@ ShellFigure capability_figure(const ShellsStudy& study, bool worn) {
       svg.line(beside(k, s.x[n], low), beside(k, s.x[n], high), {s.colour, 1.2});
     }
   }
-  return finished(
+  return app::figure_html(
       svg, plot.title,
       "Solid: temperatures solved, dashed: isothermal at the oil temperature of the case. "
       "Points, drawn a little apart: the load at which the limit is met, or the largest that "
@@ -172,8 +170,8 @@ ShellFigure capability_figure(const ShellsStudy& study, bool worn) {
 
 }  // namespace
 
-std::vector<ShellFigure> capability_figures(const ShellsStudy& study) {
-  return {capability_figure(study, false), capability_figure(study, true)};
+std::string capability_figures(const ShellsStudy& study) {
+  return capability_figure(study, false) + capability_figure(study, true);
 }
 
 }  // namespace shellback::validation

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "app/html_style.hpp"
+#include "app/html_page.hpp"
 #include "app/html_tables.hpp"
 #include "app/pictures/svg.hpp"
 #include "app/words/ending_words.hpp"
@@ -16,6 +16,8 @@ namespace shellback::validation {
 namespace {
 
 using app::escape_markup;
+using app::figures_html;
+using app::page_section;
 using bearing::Tier;
 
 constexpr const char* kStyle = R"css(
@@ -33,23 +35,13 @@ constexpr const char* kIntroduction =
     "bars allow that stands below the first table.</p>\n";
 
 std::string head() {
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>Shells of a big end</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n"
-      "<p class=\"kicker\">Shellback study</p>\n<h1>AlSn against polymer shells</h1>\n"
-      "<p class=\"scene\">After Offner and Knaus, Lubricants 3 (2015) 522-538: plain AlSn, grooved "
-      "AlSn and polymer-coated shell in the big end of a Diesel, 2000 rpm, full load</p>\n",
-      app::page_style(), kStyle);
-}
-
-std::string figures(const std::vector<ShellFigure>& all) {
-  std::string html = "<div class=\"figures\">\n";
-  for (const ShellFigure& f : all) {
-    html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", f.svg,
-                        escape_markup(f.caption));
-  }
-  return html + "</div>\n";
+  return app::page_head(
+      {.title = "Shells of a big end",
+       .heading = "AlSn against polymer shells",
+       .scene = {"After Offner and Knaus, Lubricants 3 (2015) 522-538: plain AlSn, grooved AlSn "
+                 "and polymer-coated shell in the big end of a Diesel, 2000 rpm, full load"},
+       .kind = "study",
+       .style = kStyle});
 }
 
 std::string met_of(const Capability& c) {
@@ -367,10 +359,6 @@ std::string failures_html(const ShellsStudy& study) {
                       : "<ul>\n" + html + "</ul>\n";
 }
 
-std::string section(const std::string& heading, const std::string& content) {
-  return fmt::format("<h2>{}</h2>\n{}", heading, content);
-}
-
 }  // namespace
 
 std::string shells_page(const ShellsStudy& study) {
@@ -386,28 +374,29 @@ std::string shells_page(const ShellsStudy& study) {
         "<p class=\"note\"><strong>Interrupted:</strong> what was finished is shown, the rest as "
         "\"not run\"; the same command with <code>--resume</code> goes on.</p>\n";
   }
-  html += section("Friction power (Table 5)", powers_html(study));
-  html += section("What the order of the shells hangs on", variants_html(study));
-  html += section("Film and temperatures", films_html(study));
-  html += section("Over the cycle", figures(shell_curves(study)));
-  html += section("On the shell", figures(shell_maps(study)));
-  html += section("At the instant of the largest pressure", hardest_html(study));
-  html += section("Boundary friction at one point (Table 4)", parts_html(study));
-  html += section("Running-in", run_in_html(study));
+  html += page_section("Friction power (Table 5)", powers_html(study));
+  html += page_section("What the order of the shells hangs on", variants_html(study));
+  html += page_section("Film and temperatures", films_html(study));
+  html += page_section("Over the cycle", figures_html(shell_curves(study)));
+  html += page_section("On the shell", figures_html(shell_maps(study)));
+  html += page_section("At the instant of the largest pressure", hardest_html(study));
+  html += page_section("Boundary friction at one point (Table 4)", parts_html(study));
+  html += page_section("Running-in", run_in_html(study));
   const bool sought = std::any_of(study.capability.begin(), study.capability.end(),
                                   [](const Capability& c) { return c.tried; });
-  html += section("Thermal load capability",
-                  (sought ? figures(capability_figures(study)) : "") + capability_html(study) +
-                      on_cells(study.plan.coarse, ".") +
-                      "<p class=\"scene\">Limits assumed: lining 170 &deg;C (AlSn), 200 &deg;C "
-                      "(polymer); smallest film the combined roughness of the pair. The limit is "
-                      "met where what it names goes through its bound between the last two loads; "
-                      "its bar is twice what two thirds of the cells move it by (one difference, "
-                      "which may be small by chance). Films at sharp edges become thinner with "
-                      "cells along: the loads are bounds from above, and where the table of films "
-                      "has less than that smallest film, the load itself is not borne on its "
-                      "cells.</p>\n");
-  html += section("Not found", failures_html(study));
+  html +=
+      page_section("Thermal load capability",
+                   (sought ? figures_html(capability_figures(study)) : "") +
+                       capability_html(study) + on_cells(study.plan.coarse, ".") +
+                       "<p class=\"scene\">Limits assumed: lining 170 &deg;C (AlSn), 200 &deg;C "
+                       "(polymer); smallest film the combined roughness of the pair. The limit is "
+                       "met where what it names goes through its bound between the last two loads; "
+                       "its bar is twice what two thirds of the cells move it by (one difference, "
+                       "which may be small by chance). Films at sharp edges become thinner with "
+                       "cells along: the loads are bounds from above, and where the table of films "
+                       "has less than that smallest film, the load itself is not borne on its "
+                       "cells.</p>\n");
+  html += page_section("Not found", failures_html(study));
   html += fmt::format(
       "<footer>\n<h2>Provenance</h2>\n<p>Cycles on {} x {}, what is left open on {} x {}, "
       "running-in and capability on {} x {} cells, {} threads, {:.0f} s (of the last session, "

@@ -2,24 +2,17 @@
 /// The study of the shells as a page, as JSON and as lines of text.
 #include <iosfwd>
 #include <string>
-#include <vector>
 
 #include "validation/shells/shells_study.hpp"
 
 namespace shellback::validation {
 
-/// A picture and what it shows.
-struct ShellFigure {
-  std::string svg;
-  std::string caption;
-};
-
 /// Pressures and friction power over the cycle of all shells.
-[[nodiscard]] std::vector<ShellFigure> shell_curves(const ShellsStudy& study);
+[[nodiscard]] std::string shell_curves(const ShellsStudy& study);
 /// Friction power, surface temperature and heat into the shell on the unrolled bearing.
-[[nodiscard]] std::vector<ShellFigure> shell_maps(const ShellsStudy& study);
+[[nodiscard]] std::string shell_maps(const ShellsStudy& study);
 /// Highest load over speed, with and without temperatures, of the new and of the run-in shells.
-[[nodiscard]] std::vector<ShellFigure> capability_figures(const ShellsStudy& study);
+[[nodiscard]] std::string capability_figures(const ShellsStudy& study);
 
 /// One page (HTML).
 [[nodiscard]] std::string shells_page(const ShellsStudy& study);

@@ -32,12 +32,7 @@ double held(const Request& request) {
   if (request.hold.empty()) {
     throw InputError("--speeds", "tells no time; add --hold, for example --hold \"20 min\"");
   }
-  double time = 0.0;
-  try {
-    time = parse_quantity(request.hold, kTime);
-  } catch (const UnitError& e) {
-    throw InputError("--hold", e.what());
-  }
+  const double time = given("--hold", request.hold, kTime);
   if (!(time > 0.0)) throw InputError("--hold", "the time is not positive");
   return time;
 }

@@ -34,6 +34,14 @@ std::vector<Override> overrides_of(const Request& request) {
   return overrides;
 }
 
+double given(const std::string& option, const std::string& text, const Kind& kind) {
+  try {
+    return parse_quantity(text, kind);
+  } catch (const UnitError& error) {
+    throw InputError(option, error.what());
+  }
+}
+
 void expect_no_coefficients(const Request& request, const Case& subject,
                             const std::string& instead) {
   if (!subject.model.coefficients) return;

@@ -6,6 +6,7 @@
 #include "app/program/request.hpp"
 #include "app/progress.hpp"
 #include "app/reading/overrides.hpp"
+#include "app/reading/units.hpp"
 #include "bearing/case.hpp"
 #include "bearing/control.hpp"
 #include "bearing/result.hpp"
@@ -14,6 +15,10 @@ namespace shellback::program {
 
 /// --set and --tier as overrides of the case file. Throws InputError.
 [[nodiscard]] std::vector<app::Override> overrides_of(const Request& request);
+
+/// What an option says, for example --until "20 min", in SI. Throws InputError.
+[[nodiscard]] double given(const std::string& option, const std::string& text,
+                           const app::Kind& kind);
 
 /// Stiffness and damping are those of a steady state. Throws InputError if they are asked for;
 /// `instead` says what is solved in its place.

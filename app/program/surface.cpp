@@ -7,6 +7,7 @@
 #include "app/pictures/svg_surface.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
+#include "app/program/session.hpp"
 #include "app/progress.hpp"
 #include "app/reading/surface_report.hpp"
 #include "app/reading/units.hpp"
@@ -23,12 +24,7 @@ namespace {
 
 double value_of(const std::string& text, const char* option, const Kind& kind,
                 const Range& range = kPositive) {
-  double value = 0.0;
-  try {
-    value = parse_quantity(text, kind);
-  } catch (const UnitError& error) {
-    throw InputError(option, error.what());
-  }
+  const double value = given(option, text, kind);
   if (range.holds(value)) return value;
   throw InputError(option, fmt::format("{} must {}", text, range.words));
 }

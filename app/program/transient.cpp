@@ -31,14 +31,6 @@ using namespace bearing;
 
 namespace {
 
-double given(const std::string& option, const std::string& text, const Kind& kind) {
-  try {
-    return parse_quantity(text, kind);
-  } catch (const UnitError& e) {
-    throw InputError(option, e.what());
-  }
-}
-
 /// What else `run` writes belongs to the steady state.
 void expect_transient_outputs(const Request& request) {
   refuse_options(

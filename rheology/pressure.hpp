@@ -71,11 +71,4 @@ template <class Temperature>
           A * g * pressure.Z * kRoelandsSlope / base};
 }
 
-/// Roelands' index Z for which the slope d ln eta/d p at p = 0 is `alpha` [1/Pa] for an oil of
-/// ambient viscosity `eta0` [Pa s]: Z = alpha / (B (ln eta0 + 9.67)). It is seed 002 Eq. 22 with
-/// Cp = 1/B = 1.96e8 Pa and eta_inf = exp(-9.67) Pa s. Needs eta0 > 6.3e-5 Pa s.
-[[nodiscard]] inline double roelands_index(double alpha, double eta0) {
-  return alpha / (kRoelandsSlope * (std::log(eta0) + kRoelandsLog));
-}
-
 }  // namespace shellback::rheology

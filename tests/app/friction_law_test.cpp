@@ -9,16 +9,6 @@ using namespace shellback::app;
 
 namespace {
 
-const std::string kRough = R"([surfaces.shell]
-roughness = "0.34 um"
-summit_roughness = "0.28 um"
-summit_height = "0.39 um"
-[surfaces.shaft]
-roughness = "0.20 um"
-[surfaces.contact]
-elastic_factor = 0.001
-composite_modulus = "53.3 GPa"
-)";
 const std::string kLaw = R"([surfaces.contact.friction_law]
 abrasive = 0.01
 adhesive = 0.05
@@ -29,7 +19,7 @@ summit_radius = "10 um"
 )";
 
 std::string rough_with(const std::string& law) {
-  return sample_with("[model]", kRough + law + "[model]");
+  return sample_with("[model]", kRoughSurfaces + law + "[model]");
 }
 
 std::string rough_changed(const std::string& from, const std::string& to) {

@@ -80,6 +80,18 @@ material = { conductivity = "46 W/(m K)", density = "7800 kg/m3", heat_capacity 
 tier = "tehd"
 )toml";
 
+/// Surfaces that may touch, for a case.
+inline const std::string kRoughSurfaces = R"([surfaces.shell]
+roughness = "0.34 um"
+summit_roughness = "0.28 um"
+summit_height = "0.39 um"
+[surfaces.shaft]
+roughness = "0.20 um"
+[surfaces.contact]
+elastic_factor = 0.001
+composite_modulus = "53.3 GPa"
+)";
+
 /// The sample with the first `from` replaced by `to`.
 inline std::string sample_with(const std::string& from, const std::string& to) {
   std::string text = kSampleCase;

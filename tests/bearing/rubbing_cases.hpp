@@ -1,5 +1,5 @@
 #pragma once
-/// Load cycles whose summits rub: of the tests of hard cycles, and of what is kept of them.
+/// Bearings whose summits rub, most of them over load cycles.
 #include <cmath>
 
 #include "tests/bearing/sample_bearing.hpp"
@@ -48,6 +48,17 @@ namespace shellback::bearing::tests {
     c.cycle->x.push_back(3.6e3 * std::sin(angle));
     c.cycle->y.push_back(-4.25e3 - 3.25e3 * std::cos(angle));
   }
+  return c;
+}
+
+/// The KS bearing, elastic, at a speed at which its edges rub and wear until they are worn in.
+[[nodiscard]] inline Case wearing_case() {
+  Case c = rig_case();
+  c.model.tier = Tier::isothermal;
+  c.model.switches.elastic_deformation = true;
+  c.model.grid = {60, 13};
+  c.operation.omega = 600.0 * kPi / 30.0;
+  c.running_in = RunningIn{1e-8, 350e6, {}, 0.0, {}, 0.0};
   return c;
 }
 

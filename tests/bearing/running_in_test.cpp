@@ -7,7 +7,7 @@
 #include "bearing/bore_shape.hpp"
 #include "bearing/judge/judge_case.hpp"
 #include "core/largest.hpp"
-#include "tests/bearing/sample_bearing.hpp"
+#include "tests/bearing/rubbing_cases.hpp"
 
 using namespace shellback;
 using namespace shellback::bearing;
@@ -15,23 +15,12 @@ using namespace shellback::bearing::tests;
 
 namespace {
 
-/// The KS bearing, elastic, at a speed at which its edges rub.
-Case rubbing_case() {
-  Case c = rig_case();
-  c.model.tier = Tier::isothermal;
-  c.model.switches.elastic_deformation = true;
-  c.model.grid = {60, 13};
-  c.operation.omega = 600.0 * kPi / 30.0;
-  c.running_in = RunningIn{1e-8, 350e6, {}, 0.0, {}, 0.0};
-  return c;
-}
-
 double greatest(const Field& x) { return *std::max_element(x.begin(), x.end()); }
 
 }  // namespace
 
 TEST_CASE("WearBeginsAsArchardHasIt") {
-  Case c = rubbing_case();
+  Case c = wearing_case();
   c.running_in->duration = 1e-3;
   const RunningInRun run = run_in(c, Tier::isothermal);
   INFO(app::reason_of(run.verdict));
@@ -52,7 +41,7 @@ TEST_CASE("WearBeginsAsArchardHasIt") {
 
 TEST_CASE("WearThroughTheFirstLayerIsTold") {
   const auto told = [](double lining) {
-    Case c = rubbing_case();
+    Case c = wearing_case();
     c.model.grid = {48, 9};
     c.shell->layers[0].thickness = lining;
     c.running_in->duration = 600.0;
@@ -69,7 +58,7 @@ TEST_CASE("WearThroughTheFirstLayerIsTold") {
 }
 
 TEST_CASE("AShellThatNothingWearsIsToldSo") {
-  Case c = rubbing_case();
+  Case c = wearing_case();
   c.model.grid = {48, 9};
   c.running_in->duration = 600.0;
   const auto told = [&](double limit) {
@@ -89,7 +78,7 @@ TEST_CASE("AShellThatNothingWearsIsToldSo") {
 }
 
 TEST_CASE("WearThatTheTableLeadsOnToTheEdgesIsTold") {
-  Case c = rubbing_case();
+  Case c = wearing_case();
   c.model.grid = {48, 9};
   c.running_in->duration = 600.0;
   const RunningInRun run = run_in(c, Tier::isothermal);
@@ -110,7 +99,7 @@ TEST_CASE("WearThatTheTableLeadsOnToTheEdgesIsTold") {
 }
 
 TEST_CASE("EdgesRunInSmoothlyHoweverLongTheSteps") {
-  Case c = rubbing_case();
+  Case c = wearing_case();
   c.running_in->duration = 3600.0;
   const RunningInRun run = run_in(c, Tier::isothermal);
   INFO(app::reason_of(run.verdict));
@@ -132,7 +121,7 @@ TEST_CASE("EdgesRunInSmoothlyHoweverLongTheSteps") {
 TEST_CASE("RunningInEndsWhereNoFilmOfTheWornBearingIsFound") {
   // Under a coating that begins to flow films are found or not by their last digits: steps fell
   // below any wear and went on without end.
-  Case c = rubbing_case();
+  Case c = wearing_case();
   c.model.grid = {40, 9};
   c.operation.omega = 4000.0 * kPi / 30.0;
   const solid::Material polymer{"polymer", 0.3, 1450.0, 1000.0, 2e9, 0.4, 40e-6, 120e6, 1.0, 1e-4};
@@ -158,7 +147,7 @@ TEST_CASE("RunningInEndsWhereNoFilmOfTheWornBearingIsFound") {
 TEST_CASE("WearInTimeIsThatOfManyShortStepsOfAnotherMethod") {
   // Heun's explicit steps of a twentieth of the time that has passed: wear goes about as ln t, so
   // each is short, and its error, of third order in a step, is below 1e-4 of the depth.
-  Case c = rubbing_case();
+  Case c = wearing_case();
   c.running_in->duration = 1000.0;
   const RunningInRun run = run_in(c, Tier::isothermal);
   INFO(app::reason_of(run.verdict));
@@ -196,7 +185,7 @@ TEST_CASE("WearInTimeIsThatOfManyShortStepsOfAnotherMethod") {
 }
 
 TEST_CASE("TheWornInShapeIsWhereLongRunningArrives") {
-  Case c = rubbing_case();
+  Case c = wearing_case();
   c.running_in->limit_pressure = 2e6;
   const RunningInRun end = run_in(c, Tier::isothermal);
   INFO(app::reason_of(end.verdict));
@@ -220,7 +209,7 @@ TEST_CASE("HeavyLoadsAreWornInToo") {
   // some have one only from a shape nearby: without steps on the way 5 of 30 such cases were lost.
   for (const double load : {65e3, 70e3}) {
     for (const double limit : {2e6, 3e6, 10e6}) {
-      Case c = rubbing_case();
+      Case c = wearing_case();
       c.operation.omega = 3000.0 * kPi / 30.0;
       c.operation.position = LoadGiven{load, 270.0 * kDegree};
       c.running_in->limit_pressure = limit;
@@ -249,7 +238,7 @@ TEST_CASE("HeatIsNoRougherThanTheWornInShape") {
 }
 
 TEST_CASE("AWornInShapeThatIsNotFoundIsNoShape") {
-  Case c = rubbing_case();
+  Case c = wearing_case();
   c.operation.position = LoadGiven{400e3, 270.0 * kDegree};  // 490 MPa at 600 rpm
   c.running_in->limit_pressure = 2e6;
   const RunningInRun run = run_in(c, Tier::isothermal);
@@ -262,7 +251,7 @@ TEST_CASE("AWornInShapeThatIsNotFoundIsNoShape") {
 
 TEST_CASE("TheWornShapeGivenBackWithItsSurfaceIsTheWornBearing") {
   const bool smoothed = GENERATE(false, true);
-  Case c = rubbing_case();
+  Case c = wearing_case();
   c.running_in->duration = 60.0;
   if (smoothed) {
     c.running_in->worn = c.surfaces.shell;
@@ -272,7 +261,7 @@ TEST_CASE("TheWornShapeGivenBackWithItsSurfaceIsTheWornBearing") {
   }
   const RunningInRun run = run_in(c, Tier::isothermal);
   REQUIRE(run.verdict.good());
-  Case again = rubbing_case();
+  Case again = wearing_case();
   again.running_in.reset();
   again.bearing.shape = wear_table(run.grid, run.wear);
   again.surfaces.shell = worn_surface(c, greatest(run.wear));
@@ -292,7 +281,7 @@ TEST_CASE("WearNeedsContactAndAHardness") {
     }
     return false;
   };
-  Case c = rubbing_case();
+  Case c = wearing_case();
   c.running_in->duration = 1.0;
   CHECK_FALSE(refused(c));
   c.running_in->hardness = 0.0;

@@ -8,7 +8,6 @@
 #include "bearing/over_time/kept_run.hpp"
 #include "fidelity/cycle_bars.hpp"
 #include "tests/bearing/rubbing_cases.hpp"
-#include "tests/bearing/sample_bearing.hpp"
 
 using namespace shellback;
 using namespace shellback::bearing;
@@ -16,14 +15,8 @@ using namespace shellback::bearing::tests;
 
 namespace {
 
-/// The KS bearing, elastic, at a speed at which its edges rub.
-Case rubbing_case() {
-  Case c = rig_case();
-  c.model.tier = Tier::isothermal;
-  c.model.switches.elastic_deformation = true;
-  c.model.grid = {60, 13};
-  c.operation.omega = 600.0 * kPi / 30.0;
-  c.running_in = RunningIn{1e-8, 350e6, {}, 0.0, {}, 0.0};
+Case wearing_for_ten_minutes() {
+  Case c = wearing_case();
   c.running_in->duration = 600.0;
   return c;
 }
@@ -38,7 +31,7 @@ RunningInRun run_of(const Case& c) {
 }  // namespace
 
 TEST_CASE("BarsOfARunningInHoldAFinerGrid", "[running_in]") {
-  Case c = rubbing_case();
+  Case c = wearing_for_ten_minutes();
   const RunningInRun run = run_of(c);
   const fidelity::RunningInBars bars = fidelity::running_in_bars(c, run);
   REQUIRE(bars.grid.size() == run.states.size());
@@ -58,7 +51,7 @@ TEST_CASE("BarsOfARunningInHoldAFinerGrid", "[running_in]") {
 TEST_CASE("StepsOfARunningInLeaveOpenWhatTheirErrorAllows", "[running_in]") {
   // A step errs by a thousandth of the depth at most (docs/running-in.md: half a per cent of it
   // after all steps); nothing has worn in the first state.
-  const Case c = rubbing_case();
+  const Case c = wearing_for_ten_minutes();
   const RunningInRun run = run_of(c);
   const fidelity::RunningInBars bars = fidelity::running_in_bars(c, run);
   CHECK(bars.time.front().depth == 0.0);
@@ -70,7 +63,7 @@ TEST_CASE("BarsOfOneOrAFewStepsHoldShorterOnes", "[running_in]") {
   // From one step, of which none twice as long is left to tell anything, to a handful.
   for (const double until : {2.0, 8.0, 20.0, 60.0}) {
     INFO(until << " s");
-    Case c = rubbing_case();
+    Case c = wearing_for_ten_minutes();
     c.model.grid = {60, 9};
     c.running_in->duration = until;
     const RunningInRun run = run_of(c);
@@ -98,7 +91,7 @@ TEST_CASE("BarsOfOneOrAFewStepsHoldShorterOnes", "[running_in]") {
 }
 
 TEST_CASE("AShapeThatIsWornInHasBarsOfItsGridAlone", "[running_in]") {
-  Case c = rubbing_case();
+  Case c = wearing_for_ten_minutes();
   c.running_in->duration.reset();
   c.running_in->limit_pressure = 5e6;
   const RunningInRun run = run_of(c);
@@ -112,7 +105,7 @@ TEST_CASE("AShapeThatIsWornInHasBarsOfItsGridAlone", "[running_in]") {
 TEST_CASE("ContactAtANewBearingsEdgesIsAsSureAsTheFilmThere", "[running_in]") {
   // Edges that hardly rub: their pressure of contact goes on rising with cells along (the smallest
   // film stands at the edge), by more than nested grids differ by.
-  Case c = rubbing_case();
+  Case c = wearing_for_ten_minutes();
   c.operation.omega = 1500.0 * kPi / 30.0;
   c.running_in->duration = 60.0;
   const RunningInRun run = run_of(c);
@@ -128,7 +121,7 @@ TEST_CASE("ContactAtANewBearingsEdgesIsAsSureAsTheFilmThere", "[running_in]") {
 TEST_CASE("GridsOnWhichNothingWearsDoNotAgreeThatNothingDoes", "[running_in]") {
   // The sharp edges of even cells hardly touch, on no grid so coarse by as much as the limit: the
   // wear is 0 on each of them, and 0 +- 0 was told; finer ones wear.
-  Case c = rubbing_case();
+  Case c = wearing_for_ten_minutes();
   c.model.grid = {60, 9};
   c.operation.omega = 1500.0 * kPi / 30.0;  // the edges hardly rub
   c.running_in->duration = 1.0;
@@ -148,7 +141,7 @@ TEST_CASE("GridsOnWhichNothingWearsDoNotAgreeThatNothingDoes", "[running_in]") {
 
 TEST_CASE("WhatHardlyWearsDoesNotTellHowWellItsFilmIsKnown", "[running_in]") {
   // At 3000 rpm and a third of the load nothing touches: depth, volume and contact are chance.
-  Case c = rubbing_case();
+  Case c = wearing_for_ten_minutes();
   c.model.grid = {60, 9};
   c.operation.omega = 3000.0 * kPi / 30.0;
   set_load(c, 3e3);

@@ -23,17 +23,7 @@ namespace {
 std::string rubbing_case() {
   std::string text = sample_with(
       "tier = \"tehd\"", "tier = \"isothermal\"\ngrid = [48, 7]\nelastic_deformation = false");
-  return text + R"(
-[surfaces.shell]
-roughness = "0.34 um"
-summit_roughness = "0.28 um"
-summit_height = "0.39 um"
-[surfaces.shaft]
-roughness = "0.20 um"
-[surfaces.contact]
-elastic_factor = 0.001
-composite_modulus = "53.3 GPa"
-[surfaces.contact.friction_law]
+  return text + "\n" + kRoughSurfaces + R"([surfaces.contact.friction_law]
 abrasive = 0.01
 adhesive = 0.05
 a = 10.0

@@ -9,7 +9,6 @@
 #include "app/html_page.hpp"
 #include "app/html_tables.hpp"
 #include "app/labels/cycle_shown.hpp"
-#include "app/labels/table_parts.hpp"
 #include "app/pictures/svg_cycle.hpp"
 #include "app/pictures/svg_cycle_frames.hpp"
 #include "app/pictures/svg_orbit.hpp"

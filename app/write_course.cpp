@@ -13,7 +13,6 @@
 #include "app/labels/command_words.hpp"
 #include "app/labels/table_parts.hpp"
 #include "app/pictures/svg_heading.hpp"
-#include "app/provenance.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
 #include "app/write_instants.hpp"

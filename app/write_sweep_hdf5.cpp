@@ -7,7 +7,6 @@
 #include "app/labels/quantity_label.hpp"
 #include "app/labels/sweep_columns.hpp"
 #include "app/words/ending_words.hpp"
-#include "core/contract.hpp"
 
 namespace shellback::app {
 

@@ -7,7 +7,6 @@
 #include "bearing/told_ranges.hpp"
 #include "core/constants.hpp"
 #include "fidelity/indicators.hpp"
-#include "rheology/density.hpp"
 #include "rheology/heat.hpp"
 #include "rheology/viscosity.hpp"
 

@@ -6,7 +6,6 @@
 #include "bearing/steady/nested.hpp"
 #include "core/contract.hpp"
 #include "core/round_off.hpp"
-#include "fidelity/quantities.hpp"
 
 namespace shellback::fidelity {
 

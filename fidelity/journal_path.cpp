@@ -8,7 +8,6 @@
 #include "core/constants.hpp"
 #include "core/eigen.hpp"
 #include "core/round_off.hpp"
-#include "fidelity/grid_sequence.hpp"
 
 namespace shellback::fidelity {
 

@@ -7,7 +7,6 @@
 
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
-#include "app/program/session.hpp"
 #include "app/progress.hpp"
 #include "validation/honesty/auto_report.hpp"
 

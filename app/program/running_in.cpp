@@ -14,7 +14,6 @@
 #include "app/reading/read_case.hpp"
 #include "app/write_curves.hpp"
 #include "app/write_running_in.hpp"
-#include "core/contract.hpp"
 #include "fidelity/running_in_bars.hpp"
 #include "validation/rivals/rivals.hpp"
 

@@ -7,7 +7,6 @@
 #include "app/labels/command_words.hpp"
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
-#include "app/program/session.hpp"
 #include "app/progress.hpp"
 #include "validation/stress/stress_list.hpp"
 #include "validation/stress/stress_map.hpp"

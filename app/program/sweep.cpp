@@ -19,7 +19,6 @@
 #include "app/write_json.hpp"
 #include "app/write_sweep_hdf5.hpp"
 #include "app/write_sweep_table.hpp"
-#include "bearing/judge/judge_case.hpp"
 #include "bearing/over_time/cycle.hpp"
 #include "core/contract.hpp"
 #include "core/parallel.hpp"

@@ -4,7 +4,7 @@
 
 #include "app/program/commands.hpp"
 #include "app/program/outputs.hpp"
-#include "app/program/session.hpp"
+#include "app/progress.hpp"
 #include "app/reading/library.hpp"
 #include "validation/ledger/ledger_deviation.hpp"
 #include "validation/ledger/ledger_json.hpp"

@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "app/reading/csv_table.hpp"
-#include "core/contract.hpp"
 
 namespace shellback::app {
 namespace {

@@ -8,7 +8,6 @@
 #include "app/reading/sections.hpp"
 #include "bearing/row_gaps.hpp"
 #include "core/constants.hpp"
-#include "core/contract.hpp"
 
 namespace shellback::app {
 namespace {

@@ -1,7 +1,6 @@
 #include "app/reading/csv_table.hpp"
 #include "app/reading/sections.hpp"
 #include "app/reading/surface_columns.hpp"
-#include "core/contract.hpp"
 
 namespace shellback::app {
 

@@ -8,7 +8,6 @@
 #include "app/reading/sections.hpp"
 #include "bearing/over_time/cycle_numbers.hpp"
 #include "bearing/shown.hpp"
-#include "core/contract.hpp"
 
 namespace shellback::app {
 namespace {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/constants.hpp"
 #include "core/contract.hpp"
 #include "core/largest.hpp"
 #include "core/make_grid.hpp"

@@ -1,6 +1,5 @@
 /// The exact pocket slider: endlessly wide, isoviscous, incompressible.
 #include "app/words/ending_words.hpp"
-#include "core/constants.hpp"
 #include "validation/evaluators/evaluators.hpp"
 #include "validation/evaluators/plain_oil.hpp"
 #include "validation/evaluators/slider.hpp"

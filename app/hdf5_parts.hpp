@@ -10,6 +10,9 @@
 
 namespace shellback::app::hdf5 {
 
+/// Of result files; one that a reader does not know is refused.
+inline constexpr int kFormatVersion = 1;
+
 /// Owns one HDF5 identifier; a negative one is the library's way to say no (FileError).
 class Handle {
  public:

@@ -15,7 +15,7 @@ using bearing::Result;
 
 void write_head(hid_t file, const Result& result) {
   attribute(file, "format", std::string("shellback result"));
-  attribute(file, "format_version", 1);
+  attribute(file, "format_version", kFormatVersion);
   attribute(file, "title", result.title);
   attribute(file, "tier", std::string(to_string(result.tier)));
   attribute(file, "status", std::string(to_string(result.verdict.status)));

@@ -58,6 +58,8 @@ struct Attributes {
   explicit Attributes(hid_t owner, const std::vector<std::string>& names) {
     for (const std::string& name : names) {
       const Handle id(H5Aopen(owner, name.c_str(), H5P_DEFAULT), H5Aclose, name.c_str());
+      const Handle space(H5Aget_space(id), H5Sclose, name.c_str());
+      check(H5Sget_simple_extent_npoints(space) == 1 ? 0 : -1, name);
       const Handle type(H5Aget_type(id), H5Tclose, name.c_str());
       if (H5Tget_class(type) == H5T_STRING) {
         texts[name] = text_attribute(owner, name.c_str());
@@ -177,6 +179,9 @@ std::vector<StoredEffect> effects_in(hid_t file) {
   const Handle parent(H5Gopen2(file, "effects", H5P_DEFAULT), H5Gclose, "effects");
   const auto names = texts_in(parent, "name"), meanings = texts_in(parent, "meaning");
   const auto included = numbers_in(parent, "included"), weights = numbers_in(parent, "indicator");
+  const bool alike = meanings.size() == names.size() && included.size() == names.size() &&
+                     weights.size() == names.size();
+  check(alike ? 0 : -1, "effects");
   for (std::size_t k = 0; k < names.size(); ++k) {
     all.push_back({names[k], meanings[k], included[k] != 0.0, weights[k]});
   }
@@ -190,9 +195,53 @@ void read_notes(hid_t file, StoredResult& result) {
   const Handle limiters(H5Gopen2(file, "limiters", H5P_DEFAULT), H5Gclose, "limiters");
   const auto what = texts_in(limiters, "what");
   const auto count = numbers_in(limiters, "count");
+  check(what.size() == count.size() ? 0 : -1, "limiters");
   for (std::size_t k = 0; k < what.size(); ++k) {
     result.limiters.push_back(fmt::format("{}, {} times", what[k], count[k]));
   }
+}
+
+/// Fails where a list is not as long as its axes say.
+void expect_shapes(const StoredResult& result) {
+  const FilmGrid& g = result.grid;
+  const auto nt = static_cast<std::size_t>(g.nt), nz = static_cast<std::size_t>(g.nz);
+  const auto as_long = [](std::size_t is, std::size_t wanted, const std::string& name) {
+    check(is == wanted ? 0 : -1, name);
+  };
+  if (g.cells() > 0) {
+    as_long(g.dphi.size(), nt, "dphi");
+    as_long(g.dz.size(), nz, "dz");
+    as_long(g.phi_face.size(), nt + 1, "phi_face");
+    as_long(g.z_face.size(), nz + 1, "z_face");
+  }
+  std::size_t instants = 0;
+  for (const StoredValues& v : result.frames) {
+    if (v.name == "t") instants = v.values.size();
+  }
+  const std::map<std::string, std::size_t> lengths{{"phi z", nt * nz},
+                                                   {"phi z s", nt * nz * result.s.size()},
+                                                   {"phi r", nt * result.r.size()},
+                                                   {"t phi z", instants * nt * nz}};
+  for (const auto* group : {&result.fields, &result.frames}) {
+    for (const StoredValues& v : *group) {
+      const auto wanted = lengths.find(v.axes);
+      if (wanted != lengths.end()) as_long(v.values.size(), wanted->second, v.name);
+    }
+  }
+  for (const StoredValues& v : result.series) {
+    as_long(v.values.size(), result.series.front().values.size(), v.name);
+  }
+}
+
+void expect_version(hid_t file) {
+  int version = 0;
+  const Handle id(H5Aopen(file, "format_version", H5P_DEFAULT), H5Aclose, "format_version");
+  check(H5Aread(id, H5T_NATIVE_INT, &version), "format_version");
+  if (version == hdf5::kFormatVersion) return;
+  throw InputError(
+      fmt::format("its format is version {}, and this program reads version {}; read it with "
+                  "the program that wrote it, or run the case again",
+                  version, hdf5::kFormatVersion));
 }
 
 void read_head(hid_t file, StoredResult& result) {
@@ -231,6 +280,7 @@ void read_origin(hid_t file, StoredResult& result) {
 }
 
 StoredResult read_all(hid_t file) {
+  expect_version(file);
   StoredResult result;
   read_head(file, result);
   result.quantities = quantities_in(file);
@@ -247,6 +297,7 @@ StoredResult read_all(hid_t file) {
   result.effects = effects_in(file);
   read_notes(file, result);
   read_origin(file, result);
+  expect_shapes(result);
   return result;
 }
 
@@ -273,6 +324,8 @@ StoredResult read_result(const std::string& path) {
   try {
     const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "the file");
     return read_all(file);
+  } catch (const InputError& error) {
+    throw InputError(path, error.what());
   } catch (const FileError& error) {
     throw FileError(
         fmt::format("{}: it cannot be read whole ({}); write it again", path, error.what()));

@@ -15,6 +15,7 @@
 #include "app/pictures/svg_heading.hpp"
 #include "app/words/ending_words.hpp"
 #include "app/words/note_words.hpp"
+#include "app/write_curves.hpp"
 #include "app/write_instants.hpp"
 #include "app/write_json.hpp"
 #include "core/constants.hpp"
@@ -282,6 +283,20 @@ std::string course_svg(const std::vector<Stretch>& stretches, const CourseRun& r
     draw_over_speed(svg, {660.0, 440.0, 500.0, 300.0}, stretches, run, bars, theme);
   }
   return svg.document(c.title);
+}
+
+std::string course_csv(const std::vector<Stretch>& stretches, const CourseRun& run,
+                       const MarchBars& bars) {
+  std::vector<Curve> curves = curves_of(run.instants, bars, bearing::kFollowedInstants);
+  Curve speed{"speed", "rad/s", {}, {}}, stretch{"stretch", "1", {}, {}};
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < run.instants.size(); ++i) {
+    while (k < run.ends.size() && run.ends[k] < i && k + 1 < stretches.size()) ++k;
+    speed.values.push_back(stretches[k].subject.operation.omega);
+    stretch.values.push_back(static_cast<double>(k + 1));
+  }
+  curves.insert(curves.begin() + 1, {speed, stretch});
+  return curves_csv(curves, run.end.verdict);
 }
 
 }  // namespace shellback::app

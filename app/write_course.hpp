@@ -22,6 +22,12 @@ void write_course_table(std::ostream& out, const std::vector<bearing::Stretch>& 
                                       const bearing::CourseRun& run,
                                       const fidelity::MarchBars& bars);
 
+/// What is followed over time (write_curves.hpp), with the speed and the number of the stretch from
+/// which an instant is told; the end of one is the last of its instants.
+[[nodiscard]] std::string course_csv(const std::vector<bearing::Stretch>& stretches,
+                                     const bearing::CourseRun& run,
+                                     const fidelity::MarchBars& bars);
+
 /// Torque, temperatures and smallest film over time, and torque over speed (1200 x 780).
 [[nodiscard]] std::string course_svg(const std::vector<bearing::Stretch>& stretches,
                                      const bearing::CourseRun& run,

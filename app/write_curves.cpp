@@ -18,7 +18,7 @@ std::string head(const std::vector<Curve>& curves) {
     line += (line.empty() ? "" : ",") + csv_text(fmt::format("{} [{}]", curve.name, unit));
     if (!curve.bars.empty()) line += "," + csv_text(fmt::format("{} error [{}]", curve.name, unit));
   }
-  return line + "\n";
+  return line;
 }
 
 std::string row(const std::vector<Curve>& curves, std::size_t k) {
@@ -29,16 +29,19 @@ std::string row(const std::vector<Curve>& curves, std::size_t k) {
     line += csv_number(shown(curve.values[k]));
     if (!curve.bars.empty()) line += "," + csv_number(shown(curve.bars[k]));
   }
-  return line + "\n";
+  return line;
 }
 
 Curve curve_of(const CycleSeries& series) { return {series.name, series.unit, series.values, {}}; }
 
 }  // namespace
 
-std::string curves_csv(const std::vector<Curve>& curves) {
-  std::string text = head(curves);
-  for (std::size_t k = 0; k < curves.front().values.size(); ++k) text += row(curves, k);
+std::string curves_csv(const std::vector<Curve>& curves, const Verdict& verdict) {
+  const std::string status = csv_text(to_string(verdict.status));
+  std::string text = head(curves) + ",status\n";
+  for (std::size_t k = 0; k < curves.front().values.size(); ++k) {
+    text += row(curves, k) + "," + status + "\n";
+  }
   return text;
 }
 

@@ -19,8 +19,9 @@ struct Curve {
 };
 
 /// One line of names with units, then one line an instant; a bar stands behind its quantity as
-/// "NAME error [unit]". Empty where there is no number. Needs curves of one length.
-[[nodiscard]] std::string curves_csv(const std::vector<Curve>& curves);
+/// "NAME error [unit]". Empty where there is no number. The last column is how the run ended: what
+/// did not converge says so in every row. Needs curves of one length.
+[[nodiscard]] std::string curves_csv(const std::vector<Curve>& curves, const Verdict& verdict);
 
 /// Angle or time, and all that is followed over the cycle (labels/cycle_shown.hpp). The bars of a
 /// cycle belong to its means and extremes, not to its instants.

@@ -72,6 +72,7 @@ void write_fields(hid_t file, const CycleResult& cycle, const std::string& state
   cells("p_max", f.p_max, "Pa", "largest film pressure over the cycle, gauge");
   cells("p_asperity_max", f.p_asperity_max, "Pa", "largest contact pressure over the cycle");
   cells("h_min", f.h_min, "m", "smallest gap over the cycle");
+  cells("supplied", f.in_supply, "-", "1 inside a supply feature");
   cells("friction_power", f.friction_power, "W/m2", "friction power, mean over the cycle");
   cells("layer_depth", f.layer_depth, "m", "lasting depth of the surface layer at the end");
   cells("T_shell", f.T_shell, "K", "temperature of the bore, mean over the cycle");

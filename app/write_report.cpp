@@ -16,6 +16,7 @@
 #include "app/pictures/svg_map.hpp"
 #include "app/pictures/svg_orbit.hpp"
 #include "core/largest.hpp"
+#include "core/round_off.hpp"
 
 namespace shellback::app {
 namespace {
@@ -130,6 +131,15 @@ std::string maps_of(const StoredResult& result) {
   return figures_html(html);
 }
 
+/// Largest of all curves in these units: beside it a component is round-off.
+double largest_beside(const std::vector<StoredValues>& all, const std::string& units) {
+  double most = 0.0;
+  for (const StoredValues& series : all) {
+    if (series.units == units) most = larger(most, largest_magnitude(series.values));
+  }
+  return most;
+}
+
 std::string curves_over_cycle(const StoredResult& result) {
   const auto named = [&](const char* name) {
     return std::find_if(result.series.begin(), result.series.end(),
@@ -143,22 +153,24 @@ std::string curves_over_cycle(const StoredResult& result) {
   for (const StoredValues& series : result.series) {
     if (series.name == "t" || series.name == "angle") continue;
     const double most = largest_magnitude(series.values);
-    if (most == 0.0) {
+    if (most <= kRoundOff * largest_beside(result.series, series.units)) {
       zero += (zero.empty() ? "Zero throughout: " : "; ") + series.long_name;
       continue;
     }
     const DisplayUnit unit = display_unit(series.name, series.units, most);
     LinePlot plot;
-    plot.title = series.long_name;
+    const bool whole = series.long_name.size() <= kTitle;
+    plot.title = whole ? series.long_name : series.long_name.substr(0, series.long_name.find(','));
     plot.x =
         tight_axis(x->values.front(), x->values.back(), 8, crank ? "crank angle [°]" : "time [s]");
     plot.y_title = "[" + typeset_unit(unit.unit) + "]";
     plot.from_zero = false;
     plot.series = {{"", x->values, shown_values(series.values, unit), theme.series.front(), ""}};
-    html += figure_html(kColumnWidth, kReportCurve, series.long_name, "", [&](Svg& svg, Box box) {
-      box.width -= kLastTick;
-      draw_lines(svg, box, plot, theme);
-    });
+    html += figure_html(kColumnWidth, kReportCurve, series.long_name, whole ? "" : series.long_name,
+                        [&](Svg& svg, Box box) {
+                          box.width -= kLastTick;
+                          draw_lines(svg, box, plot, theme);
+                        });
   }
   if (!zero.empty()) zero = "<p class=\"scene\">" + escape_markup(zero) + ".</p>\n";
   return figures_html(html) + zero;

@@ -68,13 +68,16 @@ std::string cells_xml(const FilmGrid& g) {
          list("Int64", "offsets", offsets) + list("UInt8", "types", types) + "</Cells>\n";
 }
 
-std::string grid_xml(const FilmGrid& g, const std::string& values) {
+std::string grid_xml(const StoredResult& result, const std::string& values) {
+  const FilmGrid& g = result.grid;
   const int points = g.nt * (g.nz + 1);
   return fmt::format(
       "{}<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
-      "<UnstructuredGrid>\n<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n{}{}"
+      "<UnstructuredGrid>\n<FieldData>\n<DataArray type=\"Int32\" Name=\"converged\" "
+      "NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n</FieldData>\n<Piece "
+      "NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n{}{}"
       "<CellData>\n{}</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n",
-      kHeadVtk, points, g.cells(), corners_xml(g), cells_xml(g), values);
+      kHeadVtk, result.converged ? 1 : 0, points, g.cells(), corners_xml(g), cells_xml(g), values);
 }
 
 std::string unit_name(const StoredValues& field) {
@@ -105,7 +108,7 @@ void add_frames(const StoredResult& result, std::vector<VtuFile>& files) {
       if (field.axes != "t phi z") continue;
       add_array(values, unit_name(field), 1, field.values.data() + k * cells, cells);
     }
-    files.push_back({fmt::format("film_{:04}.vtu", k), grid_xml(result.grid, values)});
+    files.push_back({fmt::format("film_{:04}.vtu", k), grid_xml(result, values)});
     list += fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", t->values[k],
                         files.back().name);
   }
@@ -122,7 +125,7 @@ std::vector<VtuFile> film_vtu(const StoredResult& result) {
     throw InputError("tier " + result.tier +
                      " solves no film that could be exported; run the case in another tier");
   }
-  std::vector<VtuFile> files{{"film.vtu", grid_xml(result.grid, fields_xml(result))}};
+  std::vector<VtuFile> files{{"film.vtu", grid_xml(result, fields_xml(result))}};
   add_frames(result, files);
   return files;
 }

@@ -224,6 +224,7 @@ Missed missed_tolerance(const Case& c, const Result& result) {
 }
 
 Missed missed_tolerance(const Case& c, const Comparison& comparison) {
+  if (comparison.results.size() == 1) return missed_tolerance(c, comparison.results.front());
   const auto names = column_names(comparison.results);
   Missed missed;
   std::string tiers;

@@ -119,8 +119,7 @@ int course(const Request& request, const WarmUpOptions& options) {
     tell_end("course", app::end_words(run.end, bars), run.end.verdict);
   }
   outputs.give("--json", [&] { return course_json(stretches, options, run, bars); });
-  outputs.give("--csv",
-               [&] { return curves_csv(curves_of(run.instants, bars, kFollowedInstants)); });
+  outputs.give("--csv", [&] { return course_csv(stretches, run, bars); });
   outputs.give("--picture", [&] { return course_svg(stretches, run, bars); });
   const bool late = run.end.verdict.good() && bars.interrupted;
   const int code = outputs.code(late ? kInterrupted : code_of(run.end.verdict));

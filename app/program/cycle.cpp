@@ -43,7 +43,7 @@ int cycle(const Request& request, const std::string& text, const Case& subject) 
   tell_verdict(result.tier, result.verdict);
   outputs.give("--json", [&] { return cycle_json(subject, result); });
   outputs.give("-o", [&] { return cycle_hdf5(subject, result); });
-  outputs.give("--csv", [&] { return curves_csv(curves_of(subject, result)); });
+  outputs.give("--csv", [&] { return curves_csv(curves_of(subject, result), result.verdict); });
   outputs.give("--picture", [&] { return cycle_svg(subject, result); });
   outputs.give("--page", [&] { return cycle_html(subject, result); });
   const int code = outputs.code(code_of(result.verdict, result.warnings));

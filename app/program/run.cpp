@@ -86,6 +86,10 @@ int run(const Request& request) {
       validation::with_rivals(read_case_text(text, request.case_file, overrides_of(request)));
   if (subject.cycle) return cycle(request, text, subject);
   expect_steady(request);
+  if (subject.model.tier == bearing::Tier::estimate && !request.picture.empty()) {
+    throw InputError("--picture",
+                     "tier estimate solves no film that could be drawn; name another tier");
+  }
   Outputs outputs(request, files_of_case(text, request.case_file, overrides_of(request)));
   tell_warnings(subject);
   const Result result = [&] {

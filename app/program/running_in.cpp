@@ -155,7 +155,9 @@ int running_in(const Request& request) {
   if (!run.verdict.good()) tell_verdict(subject.model.tier, run.verdict);
   outputs.give("--json", [&] { return running_in_json(subject, run, bars); });
   if (!run.states.empty()) {
-    outputs.give("--csv", [&] { return curves_csv(curves_of(run.states, bars, kFollowedStates)); });
+    outputs.give("--csv", [&] {
+      return curves_csv(curves_of(run.states, bars, kFollowedStates), run.verdict);
+    });
     outputs.give("--picture", [&] { return running_in_svg(subject, run, bars); });
     outputs.give("--profile", [&] { return worn_shape_csv(subject, run); });
   }

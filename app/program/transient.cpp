@@ -139,8 +139,9 @@ int transient(const Request& request) {
     tell_end("transient", app::end_words(run.end, bars), run.end.verdict);
   }
   outputs.give("--json", [&] { return warm_up_json(subject, run, options, bars, steady); });
-  outputs.give("--csv",
-               [&] { return curves_csv(curves_of(run.instants, bars, kFollowedInstants)); });
+  outputs.give("--csv", [&] {
+    return curves_csv(curves_of(run.instants, bars, kFollowedInstants), run.end.verdict);
+  });
   outputs.give("--picture", [&] { return warm_up_svg(subject, run, bars, steady); });
   const bool late = run.end.verdict.good() &&
                     (bars.interrupted || code_of(steady.verdict, steady.warnings) == kInterrupted);

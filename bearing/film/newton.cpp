@@ -114,7 +114,6 @@ class NewtonIteration {
   double damping_ = 1.0;  ///< part of the wanted change of force that is asked for [-]
   double reach_ = 1.0;    ///< part of the longest step
   double viscosity_tolerance_ = kWayPoint;
-  KrylovMemory own_memory_;  ///< where the task has none
   Polish polish_;
   int refilled_ = 0;     ///< steps that had emptied whole rings
   int held_ = 0;         ///< steps for which the journal has been held
@@ -240,10 +239,10 @@ void NewtonIteration::step(Verdict& ended) {
     now.path.reset();
     now.inertial_stiffness = 0.0;
   }
-  const NewtonStep step = fluid::steady_ring_is_empty(point_.scene, s_.film)
-                              ? NewtonStep{}
-                              : newton_step(model_, point_.scene, now, s_, r_, {reach_, damping_},
-                                            cost_, task_.memory ? task_.memory : &own_memory_);
+  const NewtonStep step =
+      fluid::steady_ring_is_empty(point_.scene, s_.film)
+          ? NewtonStep{}
+          : newton_step(model_, point_.scene, now, s_, r_, {reach_, damping_}, cost_, task_.memory);
   if (!step.good) {
     const bool filled =
         refilled_++ < kMostRefills && fluid::refill_empty_rings(point_.scene, s_.film);

@@ -164,7 +164,7 @@ void CycleRecord::begin(const FilmInTime& now) {
     }
   }
   instants_.push_back(first);
-  if (!film_->model().input.cycle->fields_at.empty()) keep_frame(now, now.film.film.p);
+  keep_frame(now, now.film.film.p);
 }
 
 void CycleRecord::gather_fields(const FilmInTime& now, const Field& p, double dt) {
@@ -189,13 +189,16 @@ void CycleRecord::gather_fields(const FilmInTime& now, const Field& p, double dt
 
 void CycleRecord::keep_frame(const FilmInTime& now, const Field& p) {
   const std::vector<double>& at = film_->model().input.cycle->fields_at;
-  const auto is_now = [&](double t) { return std::abs(t - told()) <= kRoundOff * length_; };
-  const bool due = at.empty() ? told() >= next_frame_ : std::any_of(at.begin(), at.end(), is_now);
+  const double round = kRoundOff * length_;
+  const auto is_now = [&](double t) { return std::abs(t - told()) <= round; };
+  const bool due =
+      at.empty() ? told() >= next_frame_ - round : std::any_of(at.begin(), at.end(), is_now);
   if (!due) return;
   const FilmGrid& g = film_->model().domain.grid;
   frames_.push_back({told(), mirror_to_full(g, p), mirror_to_full(g, now.film.film.theta),
                      mirror_to_full(g, fluid::nominal_depth(now.film.gap, film_->model().supply))});
-  next_frame_ += length_ / kFrames;
+  const double between = length_ / kFrames;
+  next_frame_ = between * (std::floor((told() + round) / between) + 1.0);
 }
 
 void CycleRecord::gather_heat(const FilmStep& step, double dt) {

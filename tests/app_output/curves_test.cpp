@@ -29,10 +29,15 @@ std::vector<std::vector<std::string>> fields_of(const std::string& csv) {
 
 TEST_CASE("CurvesOfACycleAreThoseOfItsJson") {
   for (const auto& cycle : {test::synthetic_cycle(), test::timed_cycle(), test::stopped_cycle()}) {
-    const auto rows = fields_of(app::curves_csv(app::curves_of(test::cycle_case(), cycle)));
+    const auto rows =
+        fields_of(app::curves_csv(app::curves_of(test::cycle_case(), cycle), cycle.verdict));
     const auto json = nlohmann::json::parse(app::cycle_json(test::cycle_case(), cycle))["cycle"];
     REQUIRE(rows.size() == cycle.instants.size() + 1);
-    for (std::size_t column = 0; column < rows[0].size(); ++column) {
+    REQUIRE(rows[0].back() == "status");
+    for (std::size_t k = 1; k < rows.size(); ++k) {
+      CHECK(rows[k].back() == to_string(cycle.verdict.status));
+    }
+    for (std::size_t column = 0; column + 1 < rows[0].size(); ++column) {
       const std::string& head = rows[0][column];
       const std::string name = head.substr(0, head.find(" ["));
       INFO(head);
@@ -62,12 +67,12 @@ TEST_CASE("CurvesOfATransientHaveTheirBarsBesideThem") {
     bars.grid[k].torque = 0.25;
     bars.time[k].torque = k == 1 ? NAN : 0.5;
   }
-  const auto plain = fields_of(
-      app::curves_csv(app::curves_of(instants, fidelity::MarchBars{}, bearing::kFollowedInstants)));
+  const auto plain = fields_of(app::curves_csv(
+      app::curves_of(instants, fidelity::MarchBars{}, bearing::kFollowedInstants), {}));
   const auto rows =
-      fields_of(app::curves_csv(app::curves_of(instants, bars, bearing::kFollowedInstants)));
+      fields_of(app::curves_csv(app::curves_of(instants, bars, bearing::kFollowedInstants), {}));
   REQUIRE(rows.size() == 4);
-  CHECK(rows[0].size() == 2 * plain[0].size() - 1);  // time has no bar
+  CHECK(rows[0].size() == 2 * plain[0].size() - 2);  // time and status have no bar
   CHECK(rows[0][0] == "time [s]");
   CHECK(rows[0][1] == "friction_torque [N m]");
   CHECK(rows[0][2] == "friction_torque error [N m]");

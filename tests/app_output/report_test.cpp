@@ -3,8 +3,10 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <functional>
 #include <sstream>
 
+#include "app/hdf5_parts.hpp"
 #include "app/pending_file.hpp"
 #include "app/read_result.hpp"
 #include "app/result_mark.hpp"
@@ -122,6 +124,42 @@ TEST_CASE("AResultFileIsReadBackAsItWasWritten") {
   for (std::size_t k = 0; k < cycle.quantities.size(); ++k) {
     CHECK(stored.quantities[k].quantity.name == cycle.quantities[k].quantity.name);
     CHECK(std::isfinite(stored.quantities[k].at) == std::isfinite(cycle.quantities[k].at));
+  }
+}
+
+TEST_CASE("FilesWhoseListsAreNotAsLongAsTheyMustBeAreRefused") {
+  const auto spoilt = [](const std::function<void(hid_t)>& change) {
+    const test::ScratchFile scratch("output.h5");
+    app::write_file(scratch.path(),
+                    app::result_hdf5(test::synthetic_case(), test::synthetic_result()));
+    {
+      using app::hdf5::Handle;
+      const Handle file(H5Fopen(scratch.path().c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose,
+                        "file");
+      change(file);
+    }
+    return app::read_result(scratch.path());
+  };
+  const auto shorter = [](hid_t file, const char* group, const char* name, std::size_t length) {
+    const app::hdf5::Handle parent(H5Gopen2(file, group, H5P_DEFAULT), H5Gclose, group);
+    H5Ldelete(parent, name, H5P_DEFAULT);
+    const std::vector<double> values(length, 1.0);
+    app::hdf5::dataset(parent, name, H5T_NATIVE_DOUBLE, values.data(), {length},
+                       {"Pa", "shortened", "phi z", ""});
+  };
+  CHECK_NOTHROW(spoilt([](hid_t) {}));
+  CHECK_THROWS_AS(spoilt([&](hid_t f) { shorter(f, "fields", "p", 3); }), FileError);
+  CHECK_THROWS_AS(spoilt([&](hid_t f) { shorter(f, "grid", "z_face", 2); }), FileError);
+  CHECK_THROWS_AS(spoilt([&](hid_t f) { shorter(f, "effects", "indicator", 1); }), FileError);
+  CHECK_THROWS_AS(spoilt([&](hid_t f) { H5Adelete(f, "format_version"); }), FileError);
+  try {
+    static_cast<void>(spoilt([](hid_t f) {
+      H5Adelete(f, "format_version");
+      app::hdf5::attribute(f, "format_version", 99);
+    }));
+    FAIL("a format of the future is read");
+  } catch (const InputError& error) {
+    CHECK(contains(error.what(), "version 99"));
   }
 }
 

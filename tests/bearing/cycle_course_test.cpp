@@ -30,6 +30,21 @@ TEST_CASE("FilmsAreKeptAtTheInstantsThatTheCaseGives", "[cycle]") {
   CHECK(largest(r.frames[3].p) == Approx(largest(r.frames[0].p)).epsilon(1e-2));
 }
 
+TEST_CASE("FilmsAreKeptFromEndToEndOfThePeriod", "[cycle]") {
+  for (const bool coarse : {false, true}) {
+    Case c = pulsed_case();
+    c.model.grid = {24, 5};
+    if (coarse) c.cycle->step = c.cycle->period / 24.0;  // longer than from one film to the next
+    const CycleResult r = converged(c);
+    REQUIRE(r.frames.size() >= 20);
+    CHECK(r.frames.size() <= 49);
+    CHECK(r.frames.front().t == 0.0);
+    CHECK(r.frames.back().t == Approx(r.period).epsilon(1e-12));
+    for (std::size_t k = 1; k < r.frames.size(); ++k) CHECK(r.frames[k].t > r.frames[k - 1].t);
+    CHECK(largest(r.frames.back().p) == Approx(largest(r.frames.front().p)).epsilon(1e-2));
+  }
+}
+
 TEST_CASE("AfterAJumpOfTheLoadStepsBeginAnew", "[cycle]") {
   Case c = pulsed_case();
   const double T = c.cycle->period;

@@ -179,7 +179,7 @@ TEST_CASE("BarsOfARunningInOverACycleHoldFinerStepsWithinIt", "[running_in]") {
                                     std::pair{&RunningInState::torque, "friction_torque"},
                                     std::pair{&RunningInState::h_min, "h_min"}}) {
     INFO(name);
-    const double told = fidelity::named(cycle, name)->quantity.error_time;
+    const double told = quantity_named(cycle, name)->quantity.error_time;
     CHECK(bars.time.front().*value > 0.5 * told);
     CHECK(bars.time.front().*value < 3.0 * told);
   }

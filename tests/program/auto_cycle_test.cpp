@@ -106,7 +106,7 @@ TEST_CASE("BarsOfTimeBesideADrillingHoldShorterSteps") {
   const CycleResult fine = solve_cycle(c, Tier::isothermal);
   REQUIRE(fine.verdict.good());
   for (const char* name : {"friction_torque", "power_loss", "side_flow"}) {
-    const Quantity& q = fidelity::named(*r, name)->quantity;
+    const Quantity& q = bearing::quantity_named(*r, name)->quantity;
     INFO(name << " " << q.value << " +- " << q.error_time << ", " << value_of(fine, name));
     CHECK(std::abs(q.value - value_of(fine, name)) <= q.error_time);
   }

@@ -35,7 +35,7 @@ class Estimator {
     omega_ = std::abs(c.operation.omega);
     if (const auto* given = std::get_if<EccentricityGiven>(&c.operation.position)) {
       eps_ = std::max(given->ratio, kRoundOff);
-      load_angle_ = given->load_angle;
+      closest_ = given->direction(c.operation.omega);
     } else {
       load_ = std::get<LoadGiven>(c.operation.position).force;
       load_angle_ = std::get<LoadGiven>(c.operation.position).angle;
@@ -75,7 +75,6 @@ class Estimator {
     e.eps = eps;
     const double carried = film(n, e.eta);
     e.load = eps_ ? carried + touching.load : load_;
-    e.load_angle = load_angle_;
     e.asperity_share = e.load > 0.0 ? touching.load / e.load : 0.0;
     // The contact acts along the line of centres, the film at its own attitude.
     e.attitude =
@@ -87,8 +86,11 @@ class Estimator {
                e.eta * omega_ * b.radius * b.radius * scene_.width() / scene_.psi() * eps * n.so *
                    std::sin(n.attitude) +
                touching.torque;
-    const double closest = load_angle_ + std::copysign(e.attitude, c_.operation.omega);
-    e.side_flow = omega_ * b.radius * b.radial_clearance * scene_.width() * n.side +
+    const double turned = std::copysign(e.attitude, c_.operation.omega);
+    e.load_angle = closest_ ? *closest_ - turned : load_angle_;
+    const double closest = e.load_angle + turned;
+    const double own = scene_.has_ring() ? 0.0 : n.side;
+    e.side_flow = omega_ * b.radius * b.radial_clearance * scene_.width() * own +
                   pressure_fed_flow(c_, eps, closest, e.eta);
     const double sigma = combined_roughness(c_.surfaces);
     e.lambda = sigma > 0.0 ? e.h_min / sigma : INFINITY;
@@ -102,7 +104,8 @@ class Estimator {
   double omega_ = 0.0;  ///< without sign [rad/s]
   double load_ = 0.0;   ///< 0 where the position is given [N]
   double load_angle_ = 0.0;
-  std::optional<double> eps_;  ///< if given
+  std::optional<double> eps_;      ///< if given
+  std::optional<double> closest_;  ///< and where the journal is nearest [rad]
 };
 
 }  // namespace

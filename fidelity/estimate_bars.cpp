@@ -40,7 +40,9 @@ SupplyNumbers supply_numbers(const Case& c, const Estimate& e) {
     const double p = std::max(0.0, s.pressure);
     const double along = s.length, around = s.arc * R;
     const bool ring = goes_all_round(s);
-    if (!ring) {
+    if (ring) {
+      force += p * B * 2.0 * R;  // it carries nothing, but holds cavitation off
+    } else {
       force += p * 0.5 * (along + B) * (2.0 * R * std::sin(0.5 * around / R) + 0.25 * B);
     }
     const double size = 0.5 * (along + around);
@@ -49,6 +51,7 @@ SupplyNumbers supply_numbers(const Case& c, const Estimate& e) {
                 : h * h * h * p / (12.0 * e.eta) * spread +
                       0.5 * std::abs(c.operation.omega) * R * h * along;
   }
+  force += std::max(0.0, -c.model.cavitation_pressure) * B * 2.0 * R;  // that the table has not
   if (e.load > 0.0) n.lift = force / e.load;
   n.starved = e.side_flow / fed * (1.0 - e.eps) - 0.5;  // no number: the widest bar
   if (n.starved < 0.0) n.starved = 0.0;
@@ -145,10 +148,27 @@ double shaft_sag(const Case& c) {
          (middle / (m.youngs_modulus * 0.25 * section * R * R) + 2.0 * R / (kShear * G * section));
 }
 
+namespace {
+
+/// Of the bore's radius [1/K]. A housing that is clamped at its outer radius b grows inwards alone:
+/// u(a) = -alpha a dT (1 + nu)(1 - k^2)/((1 - nu) + (1 + nu) k^2), k = a/b (textbook, plane
+/// stress).
+double bore_expansion(const Case& c) {
+  const double alpha = body(*c.shell).expansion;
+  if (!c.shell->housing || c.shell->housing->support != HousingSupport::clamped) return alpha;
+  double inner = c.bearing.radius;
+  for (const ShellLayer& layer : c.shell->layers) inner += layer.thickness;
+  const double nu = c.shell->housing->material.poisson_ratio;
+  const double k2 = std::pow(inner / c.shell->housing->outer_radius, 2);
+  return -alpha * (1.0 + nu) * (1.0 - k2) / ((1.0 - nu) + (1.0 + nu) * k2);
+}
+
+}  // namespace
+
 double thermal_opening(const Case& c, double T) {
   if (!c.shell || !c.shaft) return 0.0;
   const double shaft = c.shaft->material.expansion;
-  const double difference = std::abs(body(*c.shell).expansion - shaft);
+  const double difference = std::abs(bore_expansion(c) - shaft);
   return std::max(difference, 0.3 * shaft) *  // alike: the shaft is the warmer one
          std::abs(T - c.bearing.reference_temperature) * c.bearing.radius /
          c.bearing.radial_clearance;

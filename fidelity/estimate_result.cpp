@@ -35,8 +35,12 @@ std::vector<Quantity> quantities(const Case& c, const Estimate& e, const Estimat
   add("p_max", e.p_max, "Pa", bars.peak);
   if (rough) add("asperity_load_share", e.asperity_share, "1", kMostBar);
   const double x = -e.load * std::cos(e.load_angle), y = -e.load * std::sin(e.load_angle);
-  list.push_back({"load_x", x, "N", 0.0, given ? bars.peak * std::abs(x) : 0.0});
-  list.push_back({"load_y", y, "N", 0.0, given ? bars.peak * std::abs(y) : 0.0});
+  const double turned = bars.angle * e.attitude;  // of a given place the load's direction [rad]
+  const auto bar = [&](double along, double across) {
+    return given ? bars.peak * std::abs(along) + turned * std::abs(across) : 0.0;
+  };
+  list.push_back({"load_x", x, "N", 0.0, bar(x, y)});
+  list.push_back({"load_y", y, "N", 0.0, bar(y, x)});
   add("side_flow", e.side_flow, "m3/s", bars.flow);
   list.push_back({"T_film_mean", e.T, "K", 0.0, bars.temperature});
   return list;

@@ -38,6 +38,10 @@ EstimateScene::EstimateScene(const Case& c) : c_(c) {
   if (physics.contact) contact_ = contact_of(c);
 }
 
+bool EstimateScene::has_ring() const {
+  return std::any_of(c_.supplies.begin(), c_.supplies.end(), goes_all_round);
+}
+
 double EstimateScene::viscosity(double eps, double T, double load, double omega) const {
   const double e2 = std::min(eps * eps, 0.999);  // the mean rate of a touching film is finite
   const double rate = omega / (psi() * std::sqrt(1.0 - e2));

@@ -34,6 +34,10 @@ class EstimateScene {
   [[nodiscard]] double area() const { return 2.0 * c_.bearing.radius * width_; }
   /// Clearance over radius [-].
   [[nodiscard]] double psi() const { return c_.bearing.radial_clearance / c_.bearing.radius; }
+  /// A groove all round feeds the lands: what leaves them is what its pressure drives through, on
+  /// the mean around whatever the film's own pressure is, since that takes back at the ring what it
+  /// presses out there (the axial flow around an aligned land does not depend on z).
+  [[nodiscard]] bool has_ring() const;
   /// Rough surfaces that carry.
   [[nodiscard]] bool touches() const { return contact_.has_value(); }
 

@@ -86,9 +86,9 @@ CycleInstant MobilityMotion::instant(double t, bool before_jump, const Pair& x) 
   i.h_min_angle = angle < 0.0 ? angle + 2.0 * kPi : angle;
   i.p_max = now.m.pressure * length(now.film) / scene_.area();
   add_torque(now, i);
-  i.side_flow =
-      now.m.side * 2.0 * c_.bearing.radius * scene_.width() * clearance * length(now.seen) +
-      pressure_fed_flow(c_, now.eps, angle, now.eta, drilled_ ? course_.turned(t) : 0.0);
+  i.side_flow = (scene_.has_ring() ? 0.0 : now.m.side) * 2.0 * c_.bearing.radius * scene_.width() *
+                    clearance * length(now.seen) +
+                pressure_fed_flow(c_, now.eps, angle, now.eta, drilled_ ? course_.turned(t) : 0.0);
   return i;
 }
 

@@ -78,7 +78,10 @@ Shortfall shortfall(const Result& r, double tolerance, bool nodes_stay) {
     if (bars->total() > tolerance) s.met = false;
     if (tolerance - known(bars->model) < kWorthAGrid * tolerance) s.physics = true;
   }
-  if (!s.laminar) s.met = false, s.physics = true;
+  const bool unknown = std::any_of(r.warnings.begin(), r.warnings.end(), [](const Note& n) {
+    return std::holds_alternative<note::RicherNotFound>(n);
+  });
+  if (!s.laminar || unknown) s.met = false, s.physics = true;
   if (!s.met && !s.physics && r.grid[0] > 0) propose_grid(r, nodes_stay, s);
   return s;
 }

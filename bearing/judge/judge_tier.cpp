@@ -203,8 +203,14 @@ Lack lack_for_estimate(const Case& c) {
   if (c.cycle) return lack_of_feed_over(c);
   const auto* load = std::get_if<LoadGiven>(&c.operation.position);
   const auto* place = std::get_if<EccentricityGiven>(&c.operation.position);
-  return lack_of_feed(c, c.operation.omega, load != nullptr ? load->angle : place->load_angle,
-                      kFarFromLoad);
+  if (load != nullptr) return lack_of_feed(c, c.operation.omega, load->angle, kFarFromLoad);
+  // The load stands behind a given place by the attitude of a short bearing (Ocvirk, textbook).
+  const double eps = std::clamp(place->ratio, kRoundOff, 1.0);
+  const double attitude = std::atan2(kPi * std::sqrt(1.0 - eps * eps), 4.0 * eps);
+  return lack_of_feed(
+      c, c.operation.omega,
+      place->direction(c.operation.omega) - std::copysign(attitude, c.operation.omega),
+      kFarFromLoad);
 }
 
 /// Between rigid surfaces no journal is displaced by more than the bore lets it.

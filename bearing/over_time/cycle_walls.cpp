@@ -128,14 +128,13 @@ SeenByWalls seen_by(const BearingModel& model, const WallMeans& walls, const Cyc
 
 BodiesAnswer answer_of_bodies(const BearingModel& model, const WallMeans& walls,
                               const CycleHeat& heat, const thermal::WallResponse& response,
-                              int skin_nodes, const SolidStep* step, const HeatTaken& more) {
+                              int skin_nodes, const SolidStep* step, const HeatTaken& more,
+                              OilAnswers oil) {
   constexpr int kDepth = 12;         // as of steady heat (heat/wall_balance.cpp)
   constexpr double kSettled = 1e-3;  // a fiftieth of what counts as still [K]
   EXPECTS(!heat.held().empty());
   const SeenByWalls seen = seen_by(model, walls, heat, response, skin_nodes, more);
-  // Over a step in time walls move by little, and what thinning takes growth may give back: where
-  // the heat stays, that of a warm-up closes to 0.4 % instead of 1.7 (decision 091).
-  FilmAnswer film(model, heat.held(), step == nullptr);
+  FilmAnswer film(model, heat.held(), oil == OilAnswers::by_thinning);
   BodiesAnswer out;
   WallFlux q;
   Field shell;

@@ -67,9 +67,14 @@ bool FilmSteps::set_walls(WallMeans walls, double period, double shortest, FilmI
   if (first) heat_.emplace(model_, period, shortest);
   const FilmGrid& g = model_.domain.grid;
   const int n = model_.gl.n;
+  const auto nodes = static_cast<std::size_t>(heat_->skin().nodes());
+  // From cycle to cycle the film goes on from the temperatures that were found, not from those that
+  // they were carried on to, and the bore's skin from where it swings at this instant.
+  if (!first) now.film.columns.T = now.heat.T;
   for (int c = 0; c < g.cells(); ++c) {
     if (!meets_walls(model_, c)) continue;
-    now.film.columns.T[static_cast<std::size_t>(c) * n] = walls.shell[c];
+    const double swing = first || now.heat.skin.empty() ? 0.0 : now.heat.skin[c * nodes];
+    now.film.columns.T[static_cast<std::size_t>(c) * n] = walls.shell[c] + swing;
     now.film.columns.T[static_cast<std::size_t>(c) * n + n - 1] = walls.shaft[c % g.nz];
   }
   const double deformation_now = mean_deformation(walls);

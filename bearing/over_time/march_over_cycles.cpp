@@ -82,11 +82,14 @@ double move_of(const WallMeans& a, const WallMeans& b) {
   return larger(largest_difference(a.shell, b.shell), largest_difference(a.shaft, b.shaft));
 }
 
-/// By how much the heat of the last cycle, for ever, would move a wall [K].
+/// By how much the heat of the last cycle, for ever, would move a wall [K]. Of oil that thinned as
+/// far as that it would be no measure of rest: such walls are off by 1/|d ln eta/dT| from the first
+/// cycle on, which grows as oil warms.
 double move_for_ever(const CyclePasses& passes, const WallMeans& walls) {
   const int nodes = passes.film().heat()->skin().nodes();
   const BodiesAnswer then =
-      answer_of_bodies(passes.film().model(), walls, passes.heat(), passes.response(), nodes);
+      answer_of_bodies(passes.film().model(), walls, passes.heat(), passes.response(), nodes,
+                       nullptr, {}, OilAnswers::not_at_all);
   return then.left + move_of(then.walls, walls);
 }
 
@@ -108,7 +111,8 @@ BodiesStep take_step(const CyclePasses& passes, const MarchSpan& span, const Cyc
     BodiesStep taken{length, model.solids->step(length, march.bodies.state, &last), {}, 0.0};
     taken.answer = answer_of_bodies(
         model, march.bodies.walls, passes.heat(), passes.response(), nodes, &taken.step,
-        {march.owed.shell / std::max(length, pays), march.owed.shaft / std::max(length, pays)});
+        {march.owed.shell / std::max(length, pays), march.owed.shaft / std::max(length, pays)},
+        OilAnswers::not_at_all);
     taken.move = move_of(taken.answer.walls, march.bodies.walls);
     if (!span.steps.empty() || taken.move <= span.move || length <= span.shortest) return taken;
   }

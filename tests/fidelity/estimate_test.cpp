@@ -117,6 +117,60 @@ TEST_CASE("TheBarsOfTheEstimateHoldSuppliesThatPressAndThatStarve") {
   }
 }
 
+TEST_CASE("ARingFeedsTheLandsByItsPressureAlone") {
+  // Between a ring at p and edges at none the flow around an aligned land does not hang on z:
+  // pi D c^3 p (1 + 1.5 eps^2)/(12 eta L) out of each, whatever the film presses out at the ring.
+  Case c = plain_case();
+  c.oil.temperature = rheology::ConstantViscosity{0.02};
+  Supply ring = warm_case().supplies[0];
+  ring.kind = SupplyKind::circumferential_groove;
+  ring.arc = 2.0 * kPi;
+  ring.length = 0.1 * c.bearing.width;
+  ring.z = 0.0;
+  c.supplies = {ring};
+  c.model.grid = {120, 30};
+  for (const double pressure : {0.5e5, 3e5}) {
+    c.supplies[0].pressure = pressure;
+    const Result estimated = estimate_result(c);
+    const double land = 0.5 * (c.bearing.width - ring.length),
+                 eps = estimated.value("eccentricity_ratio");
+    const double closed = 2.0 * kPi * 2.0 * c.bearing.radius *
+                          std::pow(c.bearing.radial_clearance, 3) * pressure *
+                          (1.0 + 1.5 * eps * eps) / (12.0 * 0.02 * land);
+    CHECK(estimated.value("side_flow") == Approx(closed).epsilon(1e-6));
+    const Result solved = summarize(solve_tier(c, Tier::isothermal), Tier::isothermal);
+    for (const char* name : {"side_flow", "h_min", "attitude_angle", "friction_torque"}) {
+      const Quantity& q = *quantity_in(estimated.quantities, name);
+      INFO(name << " " << q.value << " +- " << q.error() << ", solved " << solved.value(name));
+      CHECK(std::abs(q.value - solved.value(name)) <= q.error());
+    }
+  }
+}
+
+TEST_CASE("TheLoadOfAGivenPlaceActsWhereTheFilmHoldsIt") {
+  Case c = plain_case();
+  c.model.grid = {100, 24};
+  for (const double direction : {200.0, 320.0}) {
+    EccentricityGiven given;
+    given.ratio = 0.6;
+    given.load_angle = 270.0 * kDegree;
+    given.attitude = (direction - 270.0) * kDegree;
+    c.operation.position = given;
+    c.supplies[0].angle = given.direction(c.operation.omega) + kPi;
+    const Result estimated = estimate_result(c);
+    const Result solved = summarize(solve_tier(c, Tier::isothermal), Tier::isothermal);
+    for (const char* name : {"load_x", "load_y"}) {
+      const Quantity& q = *quantity_in(estimated.quantities, name);
+      INFO(direction << " " << name << " " << q.value << " +- " << q.error() << ", solved "
+                     << solved.value(name));
+      CHECK(std::abs(q.value - solved.value(name)) <= q.error());
+      CHECK(q.value ==
+            Approx(solved.value(name))
+                .margin(0.03 * std::hypot(solved.value("load_x"), solved.value("load_y"))));
+    }
+  }
+}
+
 }  // namespace shellback::fidelity
 
 TEST_CASE("TheShaftSagsAsTheBeamOfItsFilmsPressure") {

@@ -166,7 +166,9 @@ PointEnd end_of_point(const ManyCases& study, std::size_t k) {
   std::ifstream file(study.file(k, "code"));
   int code = 0;
   if (!(file >> code)) return PointEnd::open;
-  if (code == kDone) return PointEnd::converged;
+  if (code == kDone) {  // a result that has been lost since is none
+    return fs::exists(study.file(k, "json")) ? PointEnd::converged : PointEnd::open;
+  }
   if (code == kNotConverged) return PointEnd::not_converged;
   return code == kBadInput ? PointEnd::refused : PointEnd::failed;
 }

@@ -17,6 +17,8 @@ constexpr double kSame = 1e-9;           ///< of a turn: angles closer than this
 constexpr double kSamePressure = 1e-6;   ///< of the largest: as much as tables have [-]
 constexpr double kLowestPeak = 5e5;      ///< an engine that hardly compresses has 10 bar [Pa]
 constexpr double kHighestPeak = 500e5;   ///< twice what large diesels reach [Pa]
+/// A tenth of what large diesels reach: above it no trace in MPa was told as one in bar [Pa].
+constexpr double kOnceMegapascals = 25e5;
 constexpr double kVacuum = -101325.0;    ///< gauge; standard atmosphere, definition [Pa]
 constexpr double kLowCompression = 8.0;  ///< of petrol 8 to 12, diesel 12 to 24 (textbook) [-]
 constexpr double kPolytropic = 1.3;      ///< of compression in engines: 1.3 to 1.35 (textbook) [-]
@@ -90,6 +92,42 @@ void expect_no_gap(const Section& section, const CsvTable& table, double period)
     if (gap.times > bearing::kLineToRefuse) table.fail(gap.from, "angle", problem);
     section.warn("pressure", problem);
   }
+}
+
+/// n of p V^n = const between 80 and 60 degrees before the dead centre nearest to the largest
+/// pressure, where valves are shut and nothing burns yet; V above a dead volume of an eighth, and n
+/// with it, is no smaller than in engines that compress more [-].
+double exponent_of_compression(const bearing::Crank& crank, double peak) {
+  const double dead_centre = kTurn * std::round(peak / kTurn);
+  const auto volume = [&](double theta) {
+    const double top = 0.5 * crank.stroke + crank.rod_length;
+    const double swept = top - bearing::crank_motion(crank, theta, 1.0).piston;
+    return 1.0 / (kLowCompression - 1.0) + swept / crank.stroke;
+  };
+  const auto pressure = [&](double theta) {
+    return bearing::cylinder_pressure(crank, dead_centre + theta) - kVacuum;
+  };
+  const double begin = -kTurn * 80.0 / 360.0;
+  const double end = -kTurn * 60.0 / 360.0;
+  return std::log(pressure(end) / pressure(begin)) / std::log(volume(begin) / volume(end));
+}
+
+/// Gas that is shut in and compressed gains more than in proportion to its density (n > 1; n = 1:
+/// isothermal). Gauge pressures in a tenth of their unit do not, beside the ambient pressure that
+/// is added to them.
+void expect_gas(const CsvTable& table, const bearing::Crank& crank) {
+  const std::vector<double>& p = table.column("pressure");
+  const auto row = static_cast<std::size_t>(std::max_element(p.begin(), p.end()) - p.begin());
+  if (p[row] > kOnceMegapascals) return;
+  const double n = exponent_of_compression(crank, table.column("angle")[row]);
+  if (!(n < 1.0)) return;
+  table.fail(row, "pressure",
+             fmt::format("the largest cylinder pressure is {}, and from 80 to 60 deg before the dead "
+                         "centre pressure rises less than that of gas which is shut in (p V^n with "
+                         "n = {:.2g}, where no compression is below 1); check the unit in the "
+                         "first line (psi or MPa given as bar look like this); for what is no "
+                         "engine give forces in load_cycle.file",
+                         table.written(row, "pressure"), n));
 }
 
 /// Gauge pressures in a wrong unit lose what ambient pressure adds to them: the trace spans less
@@ -180,6 +218,7 @@ void read_pressure(const Section& section, const std::optional<double>& period,
   expect_compression(section, table);
   expect_peak_near_dead_centre(section, table);
   turn_into_period(table, crank);
+  expect_gas(table, crank);
 }
 
 void expect_piston(const Section& section, const bearing::Crank& crank) {

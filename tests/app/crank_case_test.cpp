@@ -148,11 +148,26 @@ TEST_CASE("ARodThatNoEngineHasIsTold") {
 }
 
 TEST_CASE("APressureTraceThatSpansLessThanCompressionIsTold") {
-  // Gas alone spans 17^1.3 = 39.8; in psi given as bar, 2.5 bar of intake are 1.1 and 98 are 7.7.
-  CHECK(crank_warnings(trace(710)).empty());
-  const auto told = crank_warnings(trace(710, 1.0 / 14.5038));
+  CHECK(crank_warnings(trace(710)).empty());  // gas alone spans 17^1.3 = 39.8
+  // A compressor whose valve opens at 8 bar: no engine, and no wrong unit.
+  std::string rows = "angle [deg], pressure [bar]\n";
+  for (int a = 0; a <= 710; a += 10) {
+    const bool shut = a < 180 || a > 540;
+    const double open = 0.5 * (1.0 - std::cos(a * kDeg));
+    const double p = shut ? std::pow(17.0 / (1.0 + 16.0 * open), 1.3) : 1.0;
+    rows += std::to_string(a) + "," + std::to_string(std::min(p, 9.0) - 1.0) + "\n";
+  }
+  const auto told = crank_warnings(rows);
   REQUIRE(told.size() == 1);
   check_parts(told.front(), {"p.csv", "crank.pressure", "both absolute", "14.9 times", "psi"});
+}
+
+TEST_CASE("APressureTraceInATenthOfItsUnitIsRefused") {
+  // Beside the ambient pressure that is added, the rise of gas in a shut cylinder is lost.
+  for (const double factor : {1.0 / 14.5038, 0.1}) {  // psi and MPa, given as bar
+    check_against(trace(710, factor),
+                  {"p.csv:2:3", "gas which is shut in", "psi or MPa given as bar"}, kCrank);
+  }
 }
 
 TEST_CASE("ACrankThatCannotTurnIsRefused") {

@@ -68,6 +68,20 @@ void field(hid_t parent, const char* name, const std::vector<double>& values, co
   dataset(parent, name, H5T_NATIVE_DOUBLE, values.data(), shape, meaning);
 }
 
+void write_effects(hid_t file, const Result& result) {
+  using bearing::Effect;
+  const Handle effects = group(file, "effects");
+  texts(effects, "name",
+        column<std::string>(result.effects, [](const Effect& e) { return name_of(e.kind); }),
+        "effect");
+  doubles(effects, "included", column<double>(result.effects, &Effect::included), "-",
+          "1: part of the model, 0: left out");
+  doubles(effects, "indicator", column<double>(result.effects, &Effect::indicator), "-",
+          "indicator number of the effect");
+  texts(effects, "meaning", column<std::string>(result.effects, meaning_of),
+        "what the indicator is");
+}
+
 void write_notes(hid_t file, const Result& result) {
   using bearing::LimiterCount;
   const Handle limiters = group(file, "limiters");

@@ -32,6 +32,9 @@ void write_film_grid(hid_t grid, const FilmGrid& g);
 void field(hid_t parent, const char* name, const std::vector<double>& values, const Shape& shape,
            const Meaning& meaning);
 
+/// Group effects: indicator numbers.
+void write_effects(hid_t file, const bearing::Result& result);
+
 /// Groups limiters and notes.
 void write_notes(hid_t file, const bearing::Result& result);
 

@@ -9,6 +9,7 @@
 #include "app/html_page.hpp"
 #include "app/html_tables.hpp"
 #include "app/labels/cycle_shown.hpp"
+#include "app/labels/quantity_label.hpp"
 #include "app/pictures/svg_cycle.hpp"
 #include "app/pictures/svg_cycle_frames.hpp"
 #include "app/pictures/svg_orbit.hpp"
@@ -101,9 +102,9 @@ std::string cycle_tolerance_html(const bearing::Case& c, const CycleResult& cycl
 
 std::string cycle_audit_html(const bearing::Case& c, const CycleResult& cycle) {
   return fmt::format(
-      "<p>{}.</p>\n<p>Relative imbalances over the cycle: {}. Grid {} × "
-      "{}, {} Newton iterations, {} factorizations, {} s.</p>\n",
-      how_it_ran(c, cycle), audit_words(cycle), cycle.grid[0], cycle.grid[1],
+      "<p>{}.</p>\n<p>Relative imbalances over the cycle: {}. Grid: {}, {} "
+      "Newton iterations, {} factorizations, {} s.</p>\n",
+      how_it_ran(c, cycle), audit_words(cycle), grid_words(cycle.grid),
       cycle.cost.newton_iterations, cycle.cost.factorizations, figures(cycle.cost.wall_s, 3));
 }
 

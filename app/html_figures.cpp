@@ -111,13 +111,13 @@ std::string depth_html(const Case& c, const Comparison& comparison) {
   const int film = last_with(
       comparison, [](const Result& r) { return !r.fields.T.empty() && r.fields.grid.cells() > 0; });
   if (film >= 0) {
-    const std::string title = named(comparison, film, "Temperature across the film");
-    html += figure_html(kColumnWidth, kPlotHeight, title,
-                        "At mid-width; the gap is stretched to unit height everywhere.",
-                        [&](Svg& svg, const Box& box) {
-                          draw_map(svg, box, across_film_map(comparison.results[film], title),
-                                   page_theme());
-                        });
+    const std::string place = words_of_mid_line(comparison.results[film]);
+    const std::string title = named(comparison, film, "Temperature across the film " + place);
+    html += figure_html(
+        kColumnWidth, kPlotHeight, title, "The gap is stretched to unit height everywhere.",
+        [&](Svg& svg, const Box& box) {
+          draw_map(svg, box, across_film_map(comparison.results[film], title), page_theme());
+        });
   }
   const int solid = last_with(comparison, [](const Result& r) {
     return !r.fields.T_solid.empty() && r.fields.r.size() > 1;

@@ -196,11 +196,11 @@ std::string audit_html(const Comparison& comparison) {
   for (std::size_t k = 0; k < names.size(); ++k) {
     const Result& r = comparison.results[k];
     html += fmt::format(
-        "<tr><td>{}</td><td{}>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{} × {}</td>"
+        "<tr><td>{}</td><td{}>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td>"
         "<td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
         escape_markup(names[k]), r.verdict.good() ? "" : " class=\"bad\"", status_line(r),
         audit_cell(r.audit.mass), audit_cell(r.audit.energy), audit_cell(r.audit.load),
-        audit_cell(r.audit.moment), r.grid[0], r.grid[1], r.cost.outer_iterations,
+        audit_cell(r.audit.moment), grid_words(r.grid), r.cost.outer_iterations,
         r.cost.newton_iterations, r.cost.factorizations, figures(r.cost.wall_s, 3));
   }
   return html + "</tbody></table></div>\n";

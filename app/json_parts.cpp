@@ -71,6 +71,19 @@ Json cost_json(const bearing::Cost& k) {
           {"bars_s", number(k.bars_s)}};
 }
 
+Json effects_json(const std::vector<bearing::Effect>& effects) {
+  Json all = Json::array();
+  for (const auto& e : effects) {
+    all.push_back({{"name", name_of(e.kind)},
+                   {"included", e.included},
+                   {"indicator", number(e.indicator)},
+                   {"change_in_friction", number(e.change_in_friction)},
+                   {"change_in_h_min", number(e.change_in_h_min)},
+                   {"meaning", meaning_of(e)}});
+  }
+  return all;
+}
+
 Json limiters_json(const std::vector<bearing::LimiterCount>& limiters) {
   Json all = Json::array();
   for (const auto& l : limiters) all.push_back({{"what", words_of(l.what)}, {"count", l.count}});

@@ -21,6 +21,7 @@ using Json = nlohmann::ordered_json;
 void add_status(Json& json, const Verdict& verdict);
 
 [[nodiscard]] Json cost_json(const bearing::Cost& k);
+[[nodiscard]] Json effects_json(const std::vector<bearing::Effect>& effects);
 [[nodiscard]] Json limiters_json(const std::vector<bearing::LimiterCount>& limiters);
 [[nodiscard]] Json provenance_json(const bearing::Case& c);
 

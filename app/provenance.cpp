@@ -53,8 +53,14 @@ std::string fnv1a_64(std::string_view text) {
   return fmt::format("{:016x}", hash);
 }
 
+std::string fingerprint(const bearing::Case& c) {
+  std::string all = c.verbatim;
+  for (const std::string& text : c.taken_in) all += text;
+  return fnv1a_64(all);
+}
+
 Provenance provenance(const bearing::Case& c) {
-  return {kVersion, kGitState, c.path, fnv1a_64(c.verbatim), libraries()};
+  return {kVersion, kGitState, c.path, fingerprint(c), libraries()};
 }
 
 }  // namespace shellback::app

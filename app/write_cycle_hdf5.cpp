@@ -120,6 +120,7 @@ std::string cycle_hdf5(const bearing::Case& c, const CycleResult& cycle) {
     write_film_grid(grid, cycle.fields.grid);
     write_fields(file, cycle, state);
     write_frames(file, cycle, state);
+    write_effects(file, head);
     write_notes(file, head);
     write_origin(file, c);
   });

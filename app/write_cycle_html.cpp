@@ -19,6 +19,7 @@ std::string cycle_html(const bearing::Case& c, const bearing::CycleResult& cycle
   html += page_section("The film over the cycle", cycle_animation_html(c, cycle));
   html += page_section("Over the cycle", cycle_curves_html(c, cycle));
   html += page_section("On the unrolled bearing", cycle_maps_html(c, cycle));
+  html += page_section("Effects", effects_html(alone));
   html += page_section("Audit and cost", cycle_audit_html(c, cycle));
   return html + notes_html(alone) + page_foot(c);
 }

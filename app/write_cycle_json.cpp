@@ -49,6 +49,7 @@ std::string cycle_json(const bearing::Case& c, const CycleResult& cycle) {
   add_head(json, c, result);
   json["quantities"] = quantities(cycle);
   for (const AuditFigure& a : audit_of(cycle)) json["audit"][a.name] = number(a.value);
+  json["effects"] = effects_json(cycle.effects);
   json["cycle"] = over_the_cycle(c, cycle);
   add_notes(json, result);
   json["provenance"] = provenance_json(c);

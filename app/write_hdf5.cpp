@@ -89,20 +89,6 @@ void write_history(hid_t file, const Result& result) {
   doubles(history, "h_min", column<double>(all, &HistoryEntry::h_min), "m", "smallest film");
 }
 
-void write_effects(hid_t file, const Result& result) {
-  using bearing::Effect;
-  const Handle effects = group(file, "effects");
-  texts(effects, "name",
-        column<std::string>(result.effects, [](const Effect& e) { return name_of(e.kind); }),
-        "effect");
-  doubles(effects, "included", column<double>(result.effects, &Effect::included), "-",
-          "1: part of the model, 0: left out");
-  doubles(effects, "indicator", column<double>(result.effects, &Effect::indicator), "-",
-          "indicator number of the effect");
-  texts(effects, "meaning", column<std::string>(result.effects, meaning_of),
-        "what the indicator is");
-}
-
 }  // namespace
 
 std::string result_hdf5(const bearing::Case& c, const Result& result) {

@@ -80,19 +80,6 @@ Json coefficients(const bearing::Coefficients& k) {
   return json;
 }
 
-Json effects(const bearing::Result& result) {
-  Json all = Json::array();
-  for (const auto& e : result.effects) {
-    all.push_back({{"name", name_of(e.kind)},
-                   {"included", e.included},
-                   {"indicator", number(e.indicator)},
-                   {"change_in_friction", number(e.change_in_friction)},
-                   {"change_in_h_min", number(e.change_in_h_min)},
-                   {"meaning", meaning_of(e)}});
-  }
-  return all;
-}
-
 /// Temperatures at which the lumped heat balance is met, rising; the lowest stable one is solved.
 Json heat_roots(const bearing::Result& result) {
   const auto solution = std::find_if(result.heat_roots.begin(), result.heat_roots.end(),
@@ -144,7 +131,7 @@ Json to_json(const bearing::Case& c, const bearing::Result& result) {
   json["audit"] = audit_json(result.audit);
   if (result.coefficients) json["coefficients"] = coefficients(*result.coefficients);
   if (!result.heat_roots.empty()) json["heat_roots"] = heat_roots(result);
-  json["effects"] = effects(result);
+  json["effects"] = effects_json(result.effects);
   add_notes(json, result);
   json["history"] = history(result);
   json["provenance"] = provenance_json(c);

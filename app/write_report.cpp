@@ -123,7 +123,11 @@ std::string maps_of(const StoredResult& result) {
     film.fields.grid = result.grid;
     film.fields.s = result.s;
     film.fields.T = T->values;
-    const FieldMap across = across_film_map(film, "temperature across the film at mid-width");
+    if (const StoredValues* supplied = result.field("supplied"); supplied != nullptr) {
+      film.fields.supplied.assign(supplied->values.begin(), supplied->values.end());
+    }
+    const FieldMap across =
+        across_film_map(film, "temperature across the film " + words_of_mid_line(film));
     html += figure_html(kColumnWidth, kReportMap, across.title, "", [&](Svg& svg, const Box& box) {
       draw_map(svg, box, across, page_theme());
     });

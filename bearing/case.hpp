@@ -235,8 +235,10 @@ struct Change {
 
 struct Case {
   std::string title;
-  std::string path;             ///< file it came from
-  std::string verbatim;         ///< the file's text
+  std::string path;      ///< file it came from
+  std::string verbatim;  ///< the file's text
+  /// Texts of the other files that it takes in: oils and materials, tables.
+  std::vector<std::string> taken_in{};
   std::vector<Change> changes;  ///< in the order in which they were applied
   Bearing bearing;
   std::vector<Supply> supplies;

@@ -156,7 +156,8 @@ std::vector<AuditFigure> audit_of(const CycleResult& cycle) {
   std::vector<AuditFigure> all{{"mass", none * a.mass},
                                {"content", none * a.content},
                                {"impulse", none * a.impulse},
-                               {"load", none * a.load}};
+                               {"load", none * a.load},
+                               {"moment", none * a.moment}};
   if (!std::isfinite(a.energy)) return all;
   all.push_back({"energy", a.energy});
   all.push_back({"work", a.work});

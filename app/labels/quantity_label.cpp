@@ -61,6 +61,10 @@ double largest_magnitude(const std::vector<bearing::Result>& results, const std:
 
 }  // namespace
 
+std::string grid_words(const std::array<int, 2>& grid) {
+  return grid[0] > 0 ? fmt::format("{} × {}", grid[0], grid[1]) : "none";
+}
+
 std::string duration_words(double t) {
   return t < 1.0 ? fmt::format("{:.4g} ms", 1e3 * t) : fmt::format("{:.4g} s", t);
 }

@@ -2,6 +2,7 @@
 /// How a reported quantity is shown to people: words, engineering unit, figures.
 ///
 /// Inside and in JSON all is SI; tables and pictures show um, MPa, degC, W or kW, l/min, deg.
+#include <array>
 #include <functional>
 #include <optional>
 #include <string>
@@ -33,6 +34,9 @@ struct DisplayUnit {
 
 /// `digits` significant figures, without exponent between 1e-4 and 1e6; "n/a" if not a number.
 [[nodiscard]] std::string figures(double value, int digits = 4);
+
+/// "200 × 25", for pages; "none" if no film was solved.
+[[nodiscard]] std::string grid_words(const std::array<int, 2>& grid);
 
 /// A time that an event or a period takes: "12.5 ms", "7 s".
 [[nodiscard]] std::string duration_words(double t);

@@ -97,18 +97,35 @@ Axis z_axis(const FilmGrid& grid) {
   return tight_axis(1e3 * grid.z_face.front(), 1e3 * grid.z_face.back(), 5, "z [mm]");
 }
 
-/// The two rows of cells next to mid-width and the weight of the first.
-struct MidWidth {
+/// The two rows of cells beside a place along the bearing, and the weight of the first.
+struct RowsBeside {
   int a = 0;
   int b = 0;
   double weight = 1.0;
 };
-MidWidth mid_width(const FilmGrid& grid) {
+RowsBeside rows_beside(const FilmGrid& grid, double z) {
   int b = 0;
-  while (b + 1 < grid.nz && grid.z[b] < 0.0) ++b;
+  while (b + 1 < grid.nz && grid.z[b] < z) ++b;
   const int a = std::max(0, b - 1);
   const double span = grid.z[b] - grid.z[a];
-  return {a, b, span > 0.0 ? std::clamp(grid.z[b] / span, 0.0, 1.0) : 0.0};
+  return {a, b, span > 0.0 ? std::clamp((grid.z[b] - z) / span, 0.0, 1.0) : 0.0};
+}
+
+bool supplied_all_round(const Fields& f, int row) {
+  for (int i = 0; i < f.grid.nt; ++i) {
+    if (!supplied(f, f.grid.index(i, row))) return false;
+  }
+  return f.grid.nt > 0;
+}
+
+/// Mid-width; of a groove all round there the middle of the land beside it, on the side of z > 0.
+double place_of_lines(const Fields& f) {
+  if (f.supplied.empty()) return 0.0;
+  const auto [a, b, weight] = rows_beside(f.grid, 0.0);
+  if (!supplied_all_round(f, a) && !supplied_all_round(f, b)) return 0.0;
+  int land = b;
+  while (land + 1 < f.grid.nz && supplied_all_round(f, land)) ++land;
+  return 0.5 * (f.grid.z_face[land] + f.grid.z_face.back());
 }
 
 }  // namespace
@@ -176,7 +193,7 @@ FieldMap film_map(const Case& c, const Result& result, FilmField which, const Co
 FieldMap across_film_map(const Result& result, const std::string& title) {
   const Fields& f = result.fields;
   const auto ns = static_cast<int>(f.s.size());
-  const MidWidth mid = mid_width(f.grid);
+  const RowsBeside mid = rows_beside(f.grid, place_of_lines(f));
   const DisplayUnit unit = unit_of(FilmField::temperature);
   std::vector<double> T;
   for (int i = 0; i < f.grid.nt; ++i) {
@@ -225,11 +242,16 @@ std::vector<Point> supply_outline(const bearing::Supply& supply, double radius) 
           {phi - half_arc, z + half_length}};
 }
 
+std::string words_of_mid_line(const Result& result) {
+  const double z = place_of_lines(result.fields);
+  return z > 0.0 ? "midway on a land, z = " + figures(1e3 * z, 3) + " mm" : "at mid-width";
+}
+
 Series mid_line(const Result& result, const Field& field, const DisplayUnit& show,
                 bool hide_supplied) {
   const Fields& f = result.fields;
   const FilmGrid& grid = f.grid;
-  const MidWidth mid = mid_width(grid);
+  const RowsBeside mid = rows_beside(grid, place_of_lines(f));
   std::vector<int> order(grid.nt);
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),

@@ -26,14 +26,18 @@ enum class FilmField { pressure, fill, gap, temperature, shell_temperature };
                                 FilmField which, const ColourScale& scale,
                                 const std::string& title);
 
-/// Temperature at mid-width over phi and y/h; needs `fields.T`.
+/// Where curves over phi are drawn: "at mid-width", or, of a groove all round there, "midway on a
+/// land" and its z.
+[[nodiscard]] std::string words_of_mid_line(const bearing::Result& result);
+
+/// Temperature there over phi and y/h; needs `fields.T`.
 [[nodiscard]] FieldMap across_film_map(const bearing::Result& result, const std::string& title);
 
 /// Outline of a supply feature in (deg, mm), not wrapped into [0, 360].
 [[nodiscard]] std::vector<Point> supply_outline(const bearing::Supply& supply, double radius);
 
-/// Values at mid-width over phi [deg, rising], interpolated between the two nearest rows of
-/// cells. `show` converts. The gap inside supply features is not-a-number if `hide_supplied`.
+/// Values there over phi [deg, rising], interpolated between the two nearest rows of cells. `show`
+/// converts. The gap inside supply features is not-a-number if `hide_supplied`.
 [[nodiscard]] Series mid_line(const bearing::Result& result, const Field& field,
                               const DisplayUnit& show, bool hide_supplied);
 

@@ -29,18 +29,17 @@ Recipe recipe(Profile which) {
   const DisplayUnit celsius = display_unit("T_mean", "K");
   switch (which) {
     case Profile::pressure:
-      return {"Film pressure at mid-width", "p [MPa]", display_unit("p", "Pa"), true, false,
+      return {"Film pressure",       "p [MPa]", display_unit("p", "Pa"), true, false,
               {{&Fields::p, "", ""}}};
     case Profile::gap:
-      return {"Gap at mid-width",    "h [µm]", display_unit("h", "m"), true, true,
-              {{&Fields::h, "", ""}}};
+      return {"Gap", "h [µm]", display_unit("h", "m"), true, true, {{&Fields::h, "", ""}}};
     case Profile::film_temperature:
-      return {"Mean film temperature at mid-width", "T [°C]", celsius, false, false,
+      return {"Mean film temperature",    "T [°C]", celsius, false, false,
               {{&Fields::T_mean, "", ""}}};
     case Profile::shell_temperature:
       break;
   }
-  return {"Shell temperature at mid-width",
+  return {"Shell temperature",
           "T [°C]",
           celsius,
           false,
@@ -57,6 +56,11 @@ const std::string& colour_of(const bearing::Comparison& comparison, std::size_t 
   return again ? theme.series.back() : tier_colour(results[k].tier, theme);
 }
 
+std::string title_of(const bearing::Comparison& comparison, const std::string& what) {
+  if (comparison.results.empty()) return what;
+  return what + " " + words_of_mid_line(comparison.results.front());
+}
+
 }  // namespace
 
 const std::string& tier_colour(bearing::Tier tier, const Theme& theme) {
@@ -67,7 +71,7 @@ std::optional<LinePlot> profile_plot(const bearing::Comparison& comparison, Prof
                                      const Theme& theme) {
   const Recipe r = recipe(which);
   const auto names = column_names(comparison.results);
-  LinePlot plot{r.title, degree_axis(), r.y_title, {}, r.from_zero};
+  LinePlot plot{title_of(comparison, r.title), degree_axis(), r.y_title, {}, r.from_zero};
   for (std::size_t k = 0; k < comparison.results.size(); ++k) {
     const auto& result = comparison.results[k];
     for (const auto& curve : r.curves) {

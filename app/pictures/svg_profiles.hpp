@@ -1,5 +1,5 @@
 #pragma once
-/// Curves over phi at mid-width that compare the results.
+/// Curves over phi that compare the results, at mid-width or beside a groove all round there.
 #include <optional>
 
 #include "app/pictures/svg_lines.hpp"

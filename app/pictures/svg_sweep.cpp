@@ -41,8 +41,8 @@ std::string describe_model(const Sweep& sweep) {
   }
   std::string words;
   if (first != nullptr && same_tier) words += fmt::format(", tier {}", to_string(first->tier));
-  if (first != nullptr && same_grid) {
-    words += fmt::format(", grid {} × {}", first->grid[0], first->grid[1]);
+  if (first != nullptr && same_grid && first->grid[0] > 0) {
+    words += ", grid " + grid_words(first->grid);
   }
   return words;
 }

@@ -49,8 +49,8 @@ std::vector<PlannedPoint> combinations(int of_case, const std::vector<study::Axi
 
 }  // namespace
 
-std::string PlannedPoint::words(const std::vector<PlannedCase>& cases) const {
-  std::string all = fs::path(cases[of_case].path).filename().string();
+std::string PlannedPoint::words(const std::vector<std::string>& cases) const {
+  std::string all = fs::path(cases[of_case]).filename().string();
   for (const auto& [key, value] : varied) all += " " + key + "=" + value;
   return all;
 }
@@ -69,13 +69,15 @@ ManyCases plan_cases(const Request& request) {
   if (!request.vary.empty()) axes = parse_axes(request.vary, of_all);
   for (const std::string& path : request.names) {
     const std::string text = read_text_file(path);
-    study.cases.push_back({fs::absolute(path).lexically_normal().string(), fnv1a_64(text)});
+    study.cases.push_back(fs::absolute(path).lexically_normal().string());
     const int number = static_cast<int>(study.cases.size()) - 1;
     for (PlannedPoint& point : combinations(number, axes)) {
       std::vector<Override> changes = of_all;
       for (const auto& [key, value] : point.varied)
         changes.push_back({key, value, "--vary " + key});
-      static_cast<void>(read_case_text(text, path, changes));
+      for (const std::string& file : files_of_case(text, study.cases.back(), changes)) {
+        study.files.emplace(file, fnv1a_64(read_text_file(file)));
+      }
       study.points.push_back(std::move(point));
     }
   }
@@ -106,11 +108,9 @@ void write_plan(const ManyCases& study, bool force) {
   }
   Json plan{{"set", study.set},
             {"tier", study.tier},
-            {"cases", Json::array()},
+            {"cases", study.cases},
+            {"files", study.files},
             {"points", Json::array()}};
-  for (const PlannedCase& c : study.cases) {
-    plan["cases"].push_back({{"path", c.path}, {"fnv1a64", c.fingerprint}});
-  }
   for (const PlannedPoint& p : study.points) {
     Json varied = Json::object();
     for (const auto& [key, value] : p.varied) varied[key] = value;
@@ -134,9 +134,8 @@ ManyCases read_plan(const std::string& folder) {
     const Json plan = Json::parse(file);
     study.set = plan.at("set").get<std::vector<std::string>>();
     study.tier = plan.at("tier").get<std::string>();
-    for (const Json& c : plan.at("cases")) {
-      study.cases.push_back({c.at("path").get<std::string>(), c.at("fnv1a64").get<std::string>()});
-    }
+    study.cases = plan.at("cases").get<std::vector<std::string>>();
+    study.files = plan.at("files").get<std::map<std::string, std::string>>();
     for (const Json& p : plan.at("points")) {
       PlannedPoint point{p.at("case").get<int>(), {}};
       for (const auto& [key, value] : p.at("varied").items()) {
@@ -154,10 +153,10 @@ ManyCases read_plan(const std::string& folder) {
 }
 
 void expect_cases_as_planned(const ManyCases& study) {
-  for (const PlannedCase& c : study.cases) {
-    if (fnv1a_64(read_text_file(c.path)) == c.fingerprint) continue;
-    throw InputError(c.path,
-                     "the case has changed since the study was planned; plan it again "
+  for (const auto& [path, fingerprint] : study.files) {
+    if (fnv1a_64(read_text_file(path)) == fingerprint) continue;
+    throw InputError(path,
+                     "the file has changed since the study was planned; plan it again "
                      "(study plan ... -o FOLDER --force)");
   }
 }

@@ -1,7 +1,8 @@
 #pragma once
 /// A study of many cases: a folder that holds the plan and what has come of every point of it.
 ///
-///   study.json        cases, changes of all of them, points (what each of them changes more)
+///   study.json        cases and the files that they take in, changes of all of them, points (what
+///                     each of them changes more)
 ///   points/0001.json  result of `run` at point 1, as `run --json` writes it
 ///   points/0001.txt   its messages
 ///   points/0001.code  the exit code with which it ended; none: it is open
@@ -9,6 +10,7 @@
 /// A point is a run of the program of its own: one that is killed takes no other with it, and any
 /// number of programs, on one machine or many, may work on parts of one folder. What has ended
 /// stays; take its `.code` away, and it is run again.
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,23 +19,19 @@
 
 namespace shellback::program {
 
-/// A case file as it was when the study was planned.
-struct PlannedCase {
-  std::string path;         ///< absolute
-  std::string fingerprint;  ///< FNV-1a 64 of its text
-};
-
 /// What a point changes in its case, key and value.
 struct PlannedPoint {
   int of_case = 0;
   std::vector<std::pair<std::string, std::string>> varied;
   /// "ks-rig.toml operation.speed=1500 rpm".
-  [[nodiscard]] std::string words(const std::vector<PlannedCase>& cases) const;
+  [[nodiscard]] std::string words(const std::vector<std::string>& cases) const;
 };
 
 struct ManyCases {
   std::string folder;
-  std::vector<PlannedCase> cases;
+  std::vector<std::string> cases;  ///< absolute paths
+  std::map<std::string, std::string>
+      files;                     ///< these and what they take in, FNV-1a 64 of each text
   std::vector<std::string> set;  ///< --set of all points
   std::string tier;              ///< --tier of all points; empty: the case's
   std::vector<PlannedPoint> points;
@@ -54,7 +52,7 @@ void write_plan(const ManyCases& study, bool force);
 /// Throws FileError where there is no study, InputError where it cannot be understood.
 [[nodiscard]] ManyCases read_plan(const std::string& folder);
 
-/// Throws InputError if a case is no longer what was planned.
+/// Throws InputError if a case, or a file that it takes in, is no longer what was planned.
 void expect_cases_as_planned(const ManyCases& study);
 
 /// What has come of a point.

@@ -94,7 +94,7 @@ std::string own_program() {
 /// Starts the run of point k; its messages go to a file of their own.
 pid_t start_point(const ManyCases& study, std::size_t k, const std::string& program) {
   const PlannedPoint& point = study.points[k];
-  std::vector<std::string> words{program, "run", study.cases[point.of_case].path};
+  std::vector<std::string> words{program, "run", study.cases[point.of_case]};
   const auto add = [&](const std::string& option, const std::string& value) {
     words.push_back(option);
     words.push_back(value);
@@ -288,11 +288,10 @@ std::optional<Json> result_of(const ManyCases& study, std::size_t k) {
 }
 
 Json merged_json(const ManyCases& study) {
-  Json all{{"cases", Json::array()}, {"set", study.set}, {"points", Json::array()}};
-  for (const PlannedCase& c : study.cases) all["cases"].push_back(c.path);
+  Json all{{"cases", study.cases}, {"set", study.set}, {"points", Json::array()}};
   for (std::size_t k = 0; k < study.points.size(); ++k) {
     const PlannedPoint& p = study.points[k];
-    Json point{{"point", k + 1}, {"case", study.cases[p.of_case].path}};
+    Json point{{"point", k + 1}, {"case", study.cases[p.of_case]}};
     for (const auto& [key, value] : p.varied) point["varied"][key] = value;
     const PointEnd end = end_of_point(study, k);
     point["end"] = to_string(end);

@@ -70,6 +70,14 @@ void judge_with_places(Case& subject, const std::vector<Tier>& tiers, const Read
   }
 }
 
+/// Files beside that of the case.
+std::vector<std::string> others_of(const Reader& reader) {
+  std::vector<std::string> files;
+  for (const auto& [name, unused] : reader.documents) files.push_back(name);
+  files.insert(files.end(), reader.tables.begin(), reader.tables.end());
+  return files;
+}
+
 /// `reader` knows the file's name; what gathers on the way is in it afterwards.
 Case read_with(Reader& reader, const std::string& text, const std::vector<Override>& overrides,
                const std::vector<Tier>& tiers) {
@@ -87,6 +95,9 @@ Case read_with(Reader& reader, const std::string& text, const std::vector<Overri
   }
   read_sections(file, result);
   file.expect_all_used();
+  for (const std::string& other : others_of(reader)) {
+    result.taken_in.push_back(read_text_file(other));
+  }
   result.assumptions = reader.assumptions;
   result.warnings = reader.warnings;
   judge_with_places(result, tiers.empty() ? std::vector{result.model.tier} : tiers, reader);
@@ -108,9 +119,8 @@ std::vector<std::string> files_of_case(const std::string& text, const std::strin
   Reader reader;
   reader.file = path;
   static_cast<void>(read_with(reader, text, overrides, tiers));
-  std::vector<std::string> files{path};
-  for (const auto& [name, unused] : reader.documents) files.push_back(name);
-  files.insert(files.end(), reader.tables.begin(), reader.tables.end());
+  std::vector<std::string> files = others_of(reader);
+  files.insert(files.begin(), path);
   return files;
 }
 

@@ -68,6 +68,9 @@ struct CycleAudit {
   /// over the largest load times the period; NaN: the cycle was not ended [-]
   double impulse = 0.0;
   double load = 0.0;  ///< largest residual of the force balance over the largest load [-]
+  /// Largest imbalance of the film's moments at an instant (steady/audit.hpp) over the largest
+  /// torque; not exact on a grid [-]
+  double moment = 0.0;
   /// Film heat made - into the walls - carried off - stored, over the heat made [-]; NaN: no film
   /// temperatures.
   double energy = std::numeric_limits<double>::quiet_NaN();
@@ -126,6 +129,7 @@ struct CycleResult {
   CycleAudit audit;
   CycleFields fields;
   std::vector<CycleFrame> frames;
+  std::vector<Effect> effects;  ///< of tiers with a film; else empty
   std::vector<LimiterCount> limiters;
   std::vector<Note> warnings;
   std::vector<Note> assumptions;

@@ -216,6 +216,7 @@ bool CyclePasses::pass_between(const WallMeans& walls, const Rest& rest) {
 
 CycleResult CyclePasses::result() const {
   CycleResult r = r_;
+  r.tier = tier_;
   told_.write(r);
   if (!r.verdict.good()) {  // what a state that failed would swing by says nothing
     std::erase_if(r.assumptions,
@@ -237,7 +238,6 @@ CycleResult CyclePasses::result() const {
   if (passes_over_supply(c_, tier_)) {
     r.assumptions.push_back(note::Plain::supply_temperature_unused);
   }
-  r.tier = tier_;
   r.cost.factorizations = cost_.factorizations;
   r.cost.newton_iterations = cost_.newton_iterations;
   return r;

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "bearing/film/effect_numbers.hpp"
 #include "bearing/film/fed_flow.hpp"
 #include "bearing/film/pockets.hpp"
 #include "bearing/heat/film_heat.hpp"
 #include "bearing/over_time/tape_members.hpp"
+#include "bearing/steady/audit.hpp"
 #include "bearing/told_ranges.hpp"
 #include "core/largest.hpp"
 #include "core/round_off.hpp"
@@ -117,6 +119,9 @@ CycleInstant CycleRecord::instant_of(const FilmInTime& now, const Field& p, doub
   i.p_asperity_max = largest(f.p_contact);
   i.torque = friction.torque();
   i.torque_asperity = friction.asperity;
+  off_moment_ = larger(off_moment_, std::abs(moment_imbalance(m, film_->point(), f, friction)));
+  if (m.physics.elastic)
+    opening_ = larger(opening_, largest(f.elastic) / yielding_film(m, f.least.h));
   i.power = i.torque * load.omega + load.x * i.vx + load.y * i.vy;
   if (dt > 0.0) i.power += work_of_moment(instants_.back(), i) / dt;
   i.oil = oil_in_gap(now.oil);
@@ -263,15 +268,16 @@ void CycleRecord::add(const FilmStep& step, double dt, const SolveControl& contr
 void CycleRecord::members(Tape& tape) {
   auto& [film, course, length, instants, frames, next_frame, oil_begun, oil_ended, supply, side,
          side_inflow, fed, line, vessels_begun, vessels_ended, dry, impulse, v_begun, v_ended,
-         pump_now, pump, off_balance, off_content, stored_begun, stored_ended, work, layer_loss,
-         layer_depth, p_max, p_asperity_max, h_min, friction, power_now, heat, T_film, T_shell,
-         T_shell_max, wear, bent_edges, fed_fastest, sheared, shear_rate, p_slope] = *this;
+         pump_now, pump, off_balance, off_moment, opening, off_content, stored_begun, stored_ended,
+         work, layer_loss, layer_depth, p_max, p_asperity_max, h_min, friction, power_now, heat,
+         T_film, T_shell, T_shell_max, wear, bent_edges, fed_fastest, sheared, shear_rate,
+         p_slope] = *this;
   tape(instants, frames, next_frame, oil_begun, oil_ended, supply, side, side_inflow, fed, impulse,
        v_begun, v_ended, line, vessels_begun, vessels_ended, dry, stored_begun, stored_ended, work,
        layer_loss, layer_depth);
-  tape(pump_now, pump, off_balance, off_content, p_max, p_asperity_max, h_min, friction, power_now,
-       heat, T_film, T_shell, T_shell_max, wear, bent_edges, fed_fastest, sheared, shear_rate,
-       p_slope);
+  tape(pump_now, pump, off_balance, off_moment, opening, off_content, p_max, p_asperity_max, h_min,
+       friction, power_now, heat, T_film, T_shell, T_shell_max, wear, bent_edges, fed_fastest,
+       sheared, shear_rate, p_slope);
 }
 
 }  // namespace shellback::bearing

@@ -52,7 +52,7 @@ class CycleRecord {
   /// Largest contact pressure [Pa] and smallest gap [m] of each place, on the solved grid.
   [[nodiscard]] const Field& largest_contact() const { return p_asperity_max_; }
   [[nodiscard]] const Field& smallest_gap() const { return h_min_; }
-  /// All but verdict and cost; of a cycle without a step only what it is.
+  /// All but verdict, tier (to be set before) and cost; of a cycle without a step only what it is.
   void write(CycleResult& r) const;
   /// For a tape: all but film and course.
   void members(Tape& tape);
@@ -81,6 +81,8 @@ class CycleRecord {
   void keep_frame(const FilmInTime& now, const Field& p);
   void gather_heat(const FilmStep& step, double dt);
   void write_heat(CycleResult& r) const;
+  /// Indicator numbers, of means and extremes.
+  [[nodiscard]] std::vector<Effect> effects(const CycleResult& r) const;
   /// Ranges of the laws that were left, at the extremes of each place.
   void tell_ranges(CycleResult& r) const;
   /// Relative change of the oil in gap and vessels over the cycle [-].
@@ -118,6 +120,8 @@ class CycleRecord {
   std::array<double, 2> v_ended_{};                 ///< [m/s]
   double pump_now_ = 0.0, pump_ = 0.0;              ///< at the last instant [W], over the cycle [J]
   double off_balance_ = 0.0;                        ///< [N]
+  double off_moment_ = 0.0;                         ///< [N m]
+  double opening_ = 0.0;                            ///< elastic, over yielding_film [-]
   double off_content_ = 0.0;                        ///< over the oil in the gap [-]
   double stored_begun_ = 0.0, stored_ended_ = 0.0;  ///< by elastic surfaces [J]
   double work_ = 0.0;                               ///< of shaft, load and moment so far [J]

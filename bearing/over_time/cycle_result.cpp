@@ -27,6 +27,7 @@ Result head_of(const CycleResult& r) {
   head.verdict = r.verdict;
   head.tier = r.tier;
   head.title = r.title;
+  head.effects = r.effects;
   head.limiters = r.limiters;
   head.warnings = r.warnings;
   head.assumptions = r.assumptions;
@@ -35,7 +36,7 @@ Result head_of(const CycleResult& r) {
   head.audit.mass = r.audit.mass;
   head.audit.load = r.audit.load;
   head.audit.energy = r.audit.energy;
-  head.audit.moment = NAN;
+  head.audit.moment = r.audit.moment;
   head.choice = r.choice;
   return head;
 }

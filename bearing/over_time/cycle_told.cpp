@@ -5,6 +5,7 @@
 #include <complex>
 #include <numeric>
 
+#include "bearing/film/effect_numbers.hpp"
 #include "bearing/film/fed_flow.hpp"
 #include "bearing/heat/film_heat.hpp"
 #include "bearing/over_time/cycle_instants.hpp"
@@ -13,6 +14,7 @@
 #include "core/constants.hpp"
 #include "core/largest.hpp"
 #include "core/round_off.hpp"
+#include "rheology/heat.hpp"
 
 namespace shellback::bearing {
 namespace {
@@ -42,6 +44,12 @@ std::optional<LiftOff> lift_off(const std::vector<CycleInstant>& all, double slo
                    all[k - 1].omega + part * (i.omega - all[k - 1].omega)};
   }
   return std::nullopt;
+}
+
+double largest_torque(const std::vector<CycleInstant>& all) {
+  double most = 0.0;
+  for (const CycleInstant& i : all) most = larger(most, std::abs(i.torque));
+  return most;
 }
 
 }  // namespace
@@ -122,6 +130,7 @@ CycleAudit CycleRecord::audit() const {
   a.content = off_content_;
   a.load = off_balance_ / course_->largest_load();
   a.impulse = NAN;
+  a.moment = off_moment_ / std::max(largest_torque(instants_), 1e-300);
   if (!heat_.to_shell.empty()) {
     const double both = film_->model().domain.grid.multiplicity();
     a.energy = std::abs(heat_.balance.imbalance()) / heat_.balance.heat;
@@ -149,16 +158,6 @@ CycleMeans CycleRecord::means() const {
   for (double& fed : m.fed) fed /= told();
   return m;
 }
-
-namespace {
-
-double largest_torque(const std::vector<CycleInstant>& all) {
-  double most = 0.0;
-  for (const CycleInstant& i : all) most = larger(most, std::abs(i.torque));
-  return most;
-}
-
-}  // namespace
 
 double CycleRecord::part_of_vessels(double oil) const {
   const std::vector<double> vessels = film_->vessels().full();
@@ -289,6 +288,23 @@ void CycleRecord::write(CycleResult& r) const {
   if (m.input.cycle->step) tell_missed_load(r.warnings);
   tell_ranges(r);
   if (film_->heat() && !heat_.to_shell.empty()) write_heat(r);
+  r.effects = effects(r);
+}
+
+std::vector<Effect> CycleRecord::effects(const CycleResult& r) const {
+  const BearingModel& m = film_->model();
+  const CycleMeans mean = means();
+  EffectNumbers n;
+  n.T = mean.T_film;
+  n.U = course_->largest_speed() * m.input.bearing.radius;
+  n.h_min = extreme(instants_, &CycleInstant::h_min, Extreme::smallest).h_min;
+  n.p_max = largest(p_max_);
+  const double capacity = mean.side_mass_flow * rheology::heat_capacity(m.oil, n.T).cp;
+  n.rise = capacity > 0.0 ? mean.power / capacity : INFINITY;
+  n.fed = fed_fastest_.part;
+  if (m.physics.elastic) n.opening = opening_;
+  if (m.physics.thermal_deformation) n.widening = largest_magnitude(r.fields.thermal_deformation);
+  return effects_of(m, n, m.physics.film_energy || r.tier == Tier::lumped);
 }
 
 void CycleRecord::tell_ranges(CycleResult& r) const {

@@ -44,10 +44,10 @@ inline void members(Tape& tape, bearing::CycleInstant& x) {
 
 inline void members(Tape& tape, bearing::CycleResult& x) {
   auto& [verdict, tier, title, period, crank_speed, cycles, closure, growth, instants, quantities,
-         audit, fields, frames, limiters, warnings, assumptions, grid, cost, walls, steps,
+         audit, fields, frames, effects, limiters, warnings, assumptions, grid, cost, walls, steps,
          rejected_steps, choice] = x;
   tape(verdict, tier, title, period, crank_speed, cycles, closure, growth, instants, quantities,
-       audit, fields, frames, limiters, warnings, assumptions, grid, cost, walls, steps,
+       audit, fields, frames, effects, limiters, warnings, assumptions, grid, cost, walls, steps,
        rejected_steps, choice);
 }
 

@@ -38,12 +38,13 @@ double load(const Solution& s) {
 }
 
 /// - int p dhT/dphi dA over the film, the mean gap hT as the film equation has it at the faces.
-double pressure_moment(const Solution& s) {
-  const fluid::FilmScene& scene = s.point.scene;
+double pressure_moment(const BearingModel& m, const OperatingPoint& point,
+                       const FilmEquilibrium& f) {
+  const fluid::FilmScene& scene = point.scene;
   const FilmGrid& g = scene.grid;
-  const Field& profile = s.model.profile;
+  const Field& profile = m.profile;
   const auto mean_gap = [&](int face, int side) {
-    const double h = s.film.gap.phi_face[face] + (profile.empty() ? 0.0 : profile[side]);
+    const double h = f.gap.phi_face[face] + (profile.empty() ? 0.0 : profile[side]);
     return fluid::gap_flow(scene.rough, h).average_gap;
   };
   double sum = 0.0;
@@ -51,9 +52,9 @@ double pressure_moment(const Solution& s) {
     for (int j = 0; j < g.nz; ++j) {
       const int k = g.index(i, j);
       const int east = g.index(g.next(i), j);
-      sum -= s.film.film.p[k] * (mean_gap(east, k) - mean_gap(k, k)) * g.dz[j];
+      sum -= f.film.p[k] * (mean_gap(east, k) - mean_gap(k, k)) * g.dz[j];
       if (profile.empty()) continue;
-      const double p_face = fluid::face_pressure(scene, s.film.film, s.film.flow, k, east);
+      const double p_face = fluid::face_pressure(scene, f.film, f.flow, k, east);
       sum -= p_face * (mean_gap(east, east) - mean_gap(east, k)) * g.dz[j];
     }
   }
@@ -61,11 +62,16 @@ double pressure_moment(const Solution& s) {
 }
 
 double moment(const Solution& s, const Friction& f) {
-  const double left = f.viscous - f.viscous_shell;
-  return std::abs(left - pressure_moment(s)) / std::max(std::abs(f.torque()), 1e-300);
+  return std::abs(moment_imbalance(s.model, s.point, s.film, f)) /
+         std::max(std::abs(f.torque()), 1e-300);
 }
 
 }  // namespace
+
+double moment_imbalance(const BearingModel& m, const OperatingPoint& point,
+                        const FilmEquilibrium& f, const Friction& friction) {
+  return friction.viscous - friction.viscous_shell - pressure_moment(m, point, f);
+}
 
 Audit audit_of(const Solution& s, const Friction& f) {
   return {mass(s), energy(s, f), load(s), moment(s, f)};

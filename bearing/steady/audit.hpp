@@ -15,6 +15,10 @@
 
 namespace shellback::bearing {
 
+/// T_journal - T_shell - T_pressure of viscous torques, of a film at an instant, too [N m].
+[[nodiscard]] double moment_imbalance(const BearingModel& m, const OperatingPoint& point,
+                                      const FilmEquilibrium& f, const Friction& friction);
+
 [[nodiscard]] Audit audit_of(const Solution& s, const Friction& friction);
 
 }  // namespace shellback::bearing

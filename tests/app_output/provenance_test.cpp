@@ -17,13 +17,23 @@ TEST_CASE("FingerprintMatchesPublishedFnv1aVectors") {
   CHECK(app::fnv1a_64("foobar") == "85944171f73967e8");
 }
 
+TEST_CASE("AFingerprintHoldsWhatTheCaseTakesIn") {
+  auto c = test::synthetic_case();
+  const std::string before = app::fingerprint(c);
+  c.taken_in = {"angle [deg], load_x [N], load_y [N]\n0, 0, -1000\n"};
+  const std::string with = app::fingerprint(c);
+  CHECK(with != before);
+  c.taken_in.front().back() = ' ';
+  CHECK(app::fingerprint(c) != with);
+}
+
 TEST_CASE("ProvenanceNamesProgramInputAndLibraries") {
   const auto c = test::synthetic_case();
   const auto p = app::provenance(c);
   CHECK_FALSE(p.version.empty());
   CHECK_FALSE(p.git.empty());
   CHECK(p.input == c.path);
-  CHECK(p.fingerprint == app::fnv1a_64(c.verbatim));
+  CHECK(p.fingerprint == app::fingerprint(c));
   for (const char* name : {"Eigen", "SuiteSparse", "SUNDIALS", "GSL", "HDF5", "compiler"}) {
     const auto named = [&](const auto& library) { return library.first == name; };
     CHECK(std::any_of(p.libraries.begin(), p.libraries.end(), named));

@@ -283,6 +283,29 @@ TEST_CASE("MidWidthLineIsInterpolatedToThePlaneOfSymmetry") {
   }
 }
 
+TEST_CASE("BesideAGrooveAllRoundTheLineLiesOnALand") {
+  for (const int nz : {24, 25}) {
+    bearing::Result result;
+    auto& f = result.fields;
+    f.grid = make_grid(0.025, 0.02, 40, nz, false);
+    Field field;
+    double edge = 0.0;  // of the groove [m]
+    for (int i = 0; i < f.grid.nt; ++i) {
+      for (int j = 0; j < nz; ++j) {
+        const bool groove = std::abs(f.grid.z[j]) < 0.003;
+        if (groove) edge = std::max(edge, f.grid.z_face[j + 1]);
+        f.supplied.push_back(groove ? 1 : 0);
+        field.push_back(100.0 * f.grid.z[j]);
+      }
+    }
+    const auto line = app::mid_line(result, field, {}, true);
+    for (const double y : line.y) CHECK(y == Approx(50.0 * (edge + 0.01)).epsilon(1e-12));
+    CHECK(app::words_of_mid_line(result).starts_with("midway on a land, z = 6."));
+    for (int j = 0; j < nz; ++j) f.supplied[f.grid.index(0, j)] = 0;  // no longer all round
+    CHECK(app::words_of_mid_line(result) == "at mid-width");
+  }
+}
+
 TEST_CASE("LongLinesEndWithAnEllipsisWithinTheirWidth", "[svg]") {
   const std::string words = "shell.layers = [{ material = \"AlSn20\", thickness = \"0,3 µm\" }]";
   CHECK(app::fitted_to(words, 12.0, 2000.0) == words);

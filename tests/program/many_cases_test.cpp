@@ -99,3 +99,18 @@ TEST_CASE("StudiesThatCannotBeAreRefused", "[study]") {
   study.scratch.write("case.toml", std::string(kSampleCase) + "\n# another\n");
   CHECK(refused({"study", "run", study.folder}, "has changed") == kBadInput);
 }
+
+TEST_CASE("ATableThatHasChangedSinceItsStudyIsTold", "[study]") {
+  const Study study;
+  const std::string rows =
+      "phi [deg], z [mm], height [um]\n0, -10, 0\n0, 10, 0\n180, -10, 0\n180, 10, ";
+  study.scratch.write("shape.csv", rows + "3\n");
+  REQUIRE(run_words({"study", "plan", study.file, "--set", "bearing.profile=shape.csv", "-o",
+                     study.folder})
+              .code == kDone);
+  study.scratch.write("shape.csv", rows + "4\n");
+  const Ended ended = run_words({"study", "run", study.folder});
+  CHECK(ended.code == kBadInput);
+  CHECK(contains(ended.err, "shape.csv"));
+  CHECK(contains(ended.err, "has changed"));
+}

@@ -415,6 +415,32 @@ TEST_CASE("AWarmUpOverCyclesEndsInThePeriodicState", "[cycle_heat]") {
   CHECK_THROWS_AS(warm_up(event, Tier::thd, o), InputError);
 }
 
+TEST_CASE("AWarmUpFromColdOilIsNotAtRestBeforeItsWallsAre", "[cycle_heat]") {
+  // Walls 60 K below the oil in between: what that oil would lose by thinning is no measure of what
+  // moves them.
+  Case c = warm_case();
+  c.model.tier = Tier::thd;
+  c.model.grid = {24, 5};
+  c.bearing = {0.02, 0.027, 20e-6, 313.15, {}};
+  c.operation.omega = 3730.0 * kRpm;
+  c.oil.temperature = rheology::ReynoldsSlope{0.027, 313.15, 0.035};
+  c.shell->layers = {{steel(), 6.5e-3}};
+  c.shell->back = ConvectiveBack{1000.0, 363.15};
+  c.cycle = swinging(c, 3e3, 0.6);
+  c.cycle->journal_mass = 12.0;
+  const CycleResult periodic = converged(c, Tier::thd);
+  WarmUpOptions o;
+  o.T_start = 303.15;
+  const WarmUp run = warm_up(c, Tier::thd, o);
+  INFO(app::reason_of(run.end.verdict));
+  REQUIRE(run.end.verdict.good());
+  CHECK(run.end.at_rest);
+  const Instant& last = run.instants.back();
+  CHECK(last.torque == Approx(value(periodic, "friction_torque")).epsilon(5e-3));
+  CHECK(last.T_shell_max == Approx(value(periodic, "T_shell_max")).margin(0.2));
+  CHECK(run.instants.front().T_shell_max < 310.0);
+}
+
 TEST_CASE("WallsThatKeepTheHeatInFindTheirCycle", "[cycle_heat]") {
   // All that the cold oil makes would have to leave with the oil, 90 K above the supply and more
   // before it thins: walls that waited for it would boil it.

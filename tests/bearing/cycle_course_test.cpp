@@ -237,6 +237,13 @@ TEST_CASE("SpeedMayPassThroughZero", "[cycle]") {
   CHECK(torque(true) > 0.0);
   CHECK(torque(false) > 0.0);
   CHECK(r.audit.impulse < 1e-4);
+  // Seen in a mirror through the load, the journal turns the other way.
+  for (double& omega : c.cycle->omega) omega = -omega;
+  c.supplies[0].angle = kPi - c.supplies[0].angle;
+  const CycleResult mirrored = converged(c);
+  CHECK(value(mirrored, "h_min") == Approx(value(r, "h_min")).epsilon(2e-4));  // of two closures
+  CHECK(value(mirrored, "friction_torque") ==
+        Approx(-value(r, "friction_torque")).margin(2e-4 * torque(true)));
 }
 
 TEST_CASE("TiersThatCannotServeACycleSaySo", "[cycle]") {

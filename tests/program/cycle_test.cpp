@@ -1,6 +1,7 @@
 /// run on a case with a load cycle: what is refused, before anything is solved.
 #include <catch2/catch.hpp>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "app/program/commands.hpp"
@@ -26,6 +27,15 @@ TEST_CASE("ALoadCycleHasNoStiffnessAndDamping") {
                     Catch::Contains("model.coefficients") && Catch::Contains("load cycle"));
   request.coefficients = true;
   CHECK_THROWS_WITH(cycle(request, kSampleCase, subject), Catch::StartsWith("--coefficients"));
+}
+
+TEST_CASE("RigidSurfacesThatCannotCarryTheShippedCycleAreNoDefect") {
+  // Oil that pressure does not thicken is carried on to temperatures that no oil has.
+  const Ended ended = run_words(
+      {"run", case_path("ks-rig-cycle").string(), "--tier", "thd", "--set", "model.grid=[24,5]",
+       "--set", "model.elastic_deformation=false", "--set", "model.pressure_dependence=false"});
+  CHECK(ended.code == kNotConverged);
+  check_parts(ended.err, {"no step in time is found", "leaves what an oil can be"});
 }
 
 TEST_CASE("TablesAndTimesAreOfWhatChangesInTime") {
@@ -149,8 +159,16 @@ std::vector<double> films_of_sweep(const std::vector<std::string>& more) {
 TEST_CASE("ASweepRunsCyclesOverTheLoad") {
   const auto h_min = films_of_sweep({"--vary", "load_cycle.factor=0.5,1"});
   REQUIRE(h_min.size() == 2);
-  CHECK(h_min[0] > h_min[1]);  // half the load
-  CHECK(h_min[1] > 0.0);
+  CHECK(h_min[0] > h_min[1]);   // half the load
+  for (const int k : {0, 1}) {  // each as a run on its own finds it
+    const Ended alone =
+        run_words({"run", case_path("rotating-load").string(), "--set", "model.grid=[32,5]",
+                   "--set", "load_cycle.step=\"8 deg\"", "--set",
+                   k == 0 ? "load_cycle.factor=0.5" : "load_cycle.factor=1", "--json", "-"});
+    REQUIRE(alone.code == kDone);
+    const auto found = nlohmann::json::parse(alone.out)["quantities"]["h_min"]["value"];
+    CHECK(h_min[k] == Approx(found.get<double>()).epsilon(1e-9));
+  }
 }
 
 TEST_CASE("ASweepRunsCyclesOverTheSpeed") {

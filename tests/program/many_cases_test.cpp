@@ -114,3 +114,14 @@ TEST_CASE("ATableThatHasChangedSinceItsStudyIsTold", "[study]") {
   CHECK(contains(ended.err, "shape.csv"));
   CHECK(contains(ended.err, "has changed"));
 }
+
+TEST_CASE("APointWhoseResultHasBeenLostIsOpen", "[study]") {
+  Study study;
+  REQUIRE(study.plan("1 kN,2 kN").code == kDone);
+  CHECK(study.run({"study", "run", study.folder}) == kDone);
+  fs::remove(study.point("0002.json"));
+  CHECK(contains(run_words({"study", "status", study.folder}).out, "1 converged, 1 open"));
+  CHECK(study.run({"study", "run", study.folder}) == kDone);
+  CHECK(fs::exists(study.point("0002.json")));
+  CHECK(contains(run_words({"study", "status", study.folder}).out, "2 converged"));
+}

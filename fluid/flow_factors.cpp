@@ -22,8 +22,9 @@ constexpr double kSettle = 0.25;
 constexpr double kCutOff = 1.0 / 300.0;
 /// Keeps logarithms and quotients finite where H <= 0; selections discard what comes of it [-].
 constexpr double kTiny = 1e-30;
-/// Of a density that counts beside a gap of one roughness: exp(-700) is 1e-304 [-].
+/// Of what counts beside a gap of one roughness: exp(-700) is 1e-304 [-].
 constexpr double kLeastExponent = -700.0;
+constexpr double kWidest = 37.0;  ///< its root of 2 times that, and a little less [-]
 
 /// A function of H and its derivative by H.
 struct Slope {
@@ -35,12 +36,18 @@ struct Slope {
   return condition ? yes : no;
 }
 
+/// An exponential that underflows, as in the depth of a supply, leaves the loop's lanes.
+[[gnu::always_inline]] inline double decaying(double exponent) {
+  return std::exp(std::max(exponent, kLeastExponent));
+}
+
 /// hT/sigma. Both terms cancel for H < 0 by a factor H^2; below H = -38 they underflow, which
-/// may leave the last denormal negative. An exponential that underflows leaves the loop's lanes.
+/// may leave the last denormal negative. Bounded by H: compilers take a bound of the exponent out
+/// of the exponential.
 [[gnu::always_inline]] inline Slope mean_gap(double H) {
   const double open = 0.5 * std::erfc(-H * 0.70710678118654752440);  // share of open area, 1/sqrt2
-  const double exponent = std::max(-0.5 * H * H, kLeastExponent);
-  const double density = 0.39894228040143267794 * std::exp(exponent);  // 1/sqrt(2 pi)
+  const double near = std::min(std::abs(H), kWidest);
+  const double density = 0.39894228040143267794 * std::exp(-0.5 * near * near);  // 1/sqrt(2 pi)
   return {std::max(H * open + density, 0.0), open};
 }
 
@@ -55,7 +62,7 @@ struct Slope {
 [[gnu::always_inline]] inline Slope conductance(const PressureFlowLaw& law, double H) {
   const bool fitted = H >= law.H_low;
   const double Hc = std::max(H, law.H_low);
-  const double e = std::exp(select(fitted, -law.r * H, law.rate_low * (H - law.H_low)));
+  const double e = decaying(select(fitted, -law.r * H, law.rate_low * (H - law.H_low)));
   const Slope phi = pressure_factor(law, Hc, e);
   const double above = Hc * Hc * Hc * phi.f;
   const double d_above = Hc * Hc * (3.0 * phi.f + Hc * phi.d);
@@ -70,7 +77,7 @@ struct Slope {
   const double exponent = select(near, law.ln_A1 + law.a1 * ln_H + H * (law.a3 * H - law.a2),
                                  law.ln_A2 - kShearDecay * H);
   const double rate = select(near, law.a1 / H - law.a2 + 2.0 * law.a3 * H, -kShearDecay);
-  const double f = std::exp(exponent);
+  const double f = decaying(exponent);
   return {f, f * rate};
 }
 
@@ -131,7 +138,7 @@ struct Slope {
   const double beyond = std::max(H - kShearStressEnd, 0.0);
   const double exponent =
       law.ln_A3 + law.a4 * std::log(Hc) + Hc * (law.a6 * Hc - law.a5) - kShearDecay * beyond;
-  return law.share * select(H > 0.0, std::exp(exponent) / std::max(H, kTiny), 0.0);
+  return law.share * select(H > 0.0, decaying(exponent) / std::max(H, kTiny), 0.0);
 }
 
 [[gnu::always_inline]] inline GapShear rough_shear(const RoughPair& pair, double h) {
@@ -140,7 +147,7 @@ struct Slope {
   const double f = 35.0 / 96.0 * inverse_gap(H / 3.0) / sigma;
   const double j = stress_difference(pair.journal, H) / sigma;
   const double s = stress_difference(pair.shell, H) / sigma;
-  const double fp = std::max(1.0 - pair.D * std::exp(-pair.s * open), 0.0);
+  const double fp = std::max(1.0 - pair.D * decaying(-pair.s * open), 0.0);
   return {f, j - s, f + j + s, sigma * open * fp};
 }
 

@@ -151,17 +151,18 @@ void Solids::build_compliance(const Case& c, const HarmonicOperator& shell) {
   const RevolutionMesh shaft =
       make_revolution_mesh(rows.face, rows.layer, axial_elements(grid_, beyond), grid_.half);
   const HarmonicOperator journal = solid::shaft_compliance(shaft, grid_, c.shaft->material, N);
-  compliance_ = shell;
-  for (std::size_t n = 0; n < compliance_.size(); ++n) compliance_[n] += journal[n];
-  if (compliance_.size() > 1) hold_shaft(c, beyond);
-  winkler_ = mean_compliance(compliance_);  // of the surface: bending is no matter of a cell
-  if (c.shaft->span && compliance_.size() > 1) {
-    compliance_[1] += solid::shaft_bending(grid_, c.shaft->material, *c.shaft->span,
-                                           c.bearing.width + 2.0 * beyond);
+  HarmonicOperator both = shell;
+  for (std::size_t n = 0; n < both.size(); ++n) both[n] += journal[n];
+  if (both.size() > 1) hold_shaft(c, beyond, both);
+  winkler_ = mean_compliance(both);  // of the surface: bending is no matter of a cell
+  if (c.shaft->span && both.size() > 1) {
+    both[1] += solid::shaft_bending(grid_, c.shaft->material, *c.shaft->span,
+                                    c.bearing.width + 2.0 * beyond);
   }
+  compliance_ = FieldOperator(harmonics_, both);
 }
 
-void Solids::hold_shaft(const Case& c, double beyond) {
+void Solids::hold_shaft(const Case& c, double beyond, HarmonicOperator& compliance) const {
   const double R = c.bearing.radius, width = c.bearing.width;
   if (beyond <= R) return;
   const auto shift = [&](double overhang) {
@@ -169,7 +170,7 @@ void Solids::hold_shaft(const Case& c, double beyond) {
   };
   const double moved = kPi * R * grid_.multiplicity() * (shift(beyond) - shift(R));
   const Eigen::Map<const Eigen::RowVectorXd> dz(grid_.dz.data(), grid_.nz);
-  compliance_[1].rowwise() -= moved * dz;
+  compliance[1].rowwise() -= moved * dz;
 }
 
 void Solids::build_heat(const Case& c, const Layers& layers, const RevolutionMesh& mesh) {
@@ -227,9 +228,7 @@ bool Solids::serve(const Case& c, const FilmGrid& grid, SolidEffects wanted) con
   return effects && bodies && surface;
 }
 
-Field Solids::compliance(const Field& pressure) const {
-  return apply(harmonics_, compliance_, pressure, Tail::last);
-}
+Field Solids::compliance(const Field& pressure) const { return compliance_(pressure); }
 
 HarmonicOperator Solids::contact_widening(double rate, const thermal::WallResponse& film,
                                           const SolidStep* step) const {

@@ -11,7 +11,7 @@
 
 #include "bearing/case.hpp"
 #include "bearing/skin_nodes.hpp"
-#include "core/harmonics.hpp"
+#include "core/field_operator.hpp"
 #include "core/revolution_mesh.hpp"
 #include "thermal/film_energy.hpp"
 #include "thermal/revolution_conduction.hpp"
@@ -139,7 +139,7 @@ class Solids {
   void build_compliance(const Case& c, const HarmonicOperator& shell);
   /// A free shaft that overhangs by more than its radius is moved back by what its section bends
   /// as a whole beyond that of one radius: e stays the place of the journal within the bearing.
-  void hold_shaft(const Case& c, double beyond);
+  void hold_shaft(const Case& c, double beyond, HarmonicOperator& compliance) const;
   /// Changes of the mean shell and shaft temperature that balance the heat [K].
   struct MeanChange {
     double shell = 0.0;
@@ -163,7 +163,7 @@ class Solids {
   Harmonics harmonics_;
   HarmonicSample sample_;
   RevolutionMesh shell_mesh_, shaft_mesh_;
-  HarmonicOperator compliance_;
+  FieldOperator compliance_;
   double winkler_ = 0.0;
   std::optional<thermal::ShellConduction> conduction_;
   std::vector<double> capacity_;          ///< density times heat capacity of each layer [J/(m3 K)]

@@ -122,17 +122,8 @@ HarmonicOperator HarmonicSample::complete(const HarmonicOperator& at_computed) c
   return all;
 }
 
-Field apply(const Harmonics& harmonics, const HarmonicOperator& op, const Field& field, Tail tail) {
-  const Eigen::MatrixXd c = harmonics.analyse(field);
-  Eigen::MatrixXd u = multiply(op, c);
-  if (tail == Tail::none) return harmonics.synthesise(u);
-  const Eigen::MatrixXd& last = op[harmonics.highest()];
-  u.noalias() -= last * c;
-  Field out = harmonics.synthesise(u);
-  const auto nt = static_cast<Eigen::Index>(field.size()) / last.rows();
-  Eigen::Map<Eigen::MatrixXd>(out.data(), last.rows(), nt).noalias() +=
-      last * Eigen::Map<const Eigen::MatrixXd>(field.data(), last.cols(), nt);
-  return out;
+Field apply(const Harmonics& harmonics, const HarmonicOperator& op, const Field& field) {
+  return harmonics.synthesise(multiply(op, harmonics.analyse(field)));
 }
 
 }  // namespace shellback

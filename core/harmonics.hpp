@@ -28,6 +28,10 @@ class Harmonics {
 
   [[nodiscard]] int highest() const { return highest_; }
   [[nodiscard]] int coefficients() const { return 2 * highest_ + 1; }  ///< of a row
+  [[nodiscard]] int lines() const { return nt_; }                      ///< cells around
+  /// A and S of (1) and (2), nt x (2 N + 1).
+  [[nodiscard]] const Eigen::MatrixXd& analysis() const { return analysis_; }
+  [[nodiscard]] const Eigen::MatrixXd& synthesis() const { return synthesis_; }
   /// Coefficients (1) of a cell field of any unit.
   [[nodiscard]] Eigen::MatrixXd analyse(const Field& field) const;
   /// Cell field (2) of coefficients with any number of rows m; index i * m + j.
@@ -76,12 +80,6 @@ class HarmonicSample {
   std::vector<int> computed_;
 };
 
-/// What an operator does to the part of a field above the highest harmonic.
-enum class Tail {
-  none,  ///< nothing: it is dropped
-  last,  ///< treats it as the highest harmonic: for soft layers whose compliance stays finite
-};
-
 /// Coefficients times operator, harmonic by harmonic.
 [[nodiscard]] Eigen::MatrixXd multiply(const HarmonicOperator& op,
                                        const Eigen::MatrixXd& coefficients);
@@ -89,10 +87,10 @@ enum class Tail {
 /// a_n b_n, harmonic by harmonic: first b, then a.
 [[nodiscard]] HarmonicOperator compose(const HarmonicOperator& a, const HarmonicOperator& b);
 
-/// S op A field, symmetric for symmetric diag(dz) op_n. The operator must hold all harmonics of
-/// the transform. With Tail::last: op_N f + S (op_n - op_N) A f, square operators only; equally
-/// symmetric.
+/// S op A field, symmetric for symmetric diag(dz) op_n; what lies above the highest harmonic is
+/// dropped (core/field_operator.hpp does not). The operator must hold all harmonics of the
+/// transform.
 [[nodiscard]] Field apply(const Harmonics& harmonics, const HarmonicOperator& op,
-                          const Field& field, Tail tail = Tail::none);
+                          const Field& field);
 
 }  // namespace shellback

@@ -6,6 +6,7 @@
 
 #include "core/constants.hpp"
 #include "core/contract.hpp"
+#include "core/field_operator.hpp"
 #include "core/make_grid.hpp"
 
 using namespace shellback;
@@ -108,12 +109,13 @@ TEST_CASE("WorkOfOnePressureOnTheDisplacementOfAnotherIsMutual", "[harmonics]") 
   const Harmonics harmonics(grid, 15);
   const auto op = symmetric_operator(grid, 15);
   const Field p = random_field(grid.cells(), 1), q = random_field(grid.cells(), 2);
-  for (const Tail tail : {Tail::none, Tail::last}) {
-    const double pq = work(grid, q, apply(harmonics, op, p, tail));
-    const double qp = work(grid, p, apply(harmonics, op, q, tail));
-    const double size = std::sqrt(work(grid, p, apply(harmonics, op, p, tail)) *
-                                  work(grid, p, apply(harmonics, op, p, tail)));
-    CHECK(std::abs(pq - qp) < 1e-12 * (size + std::abs(pq)));
+  const FieldOperator all(harmonics, op);
+  for (const bool above : {false, true}) {  // the highest harmonic
+    const auto answer = [&](const Field& f) { return above ? all(f) : apply(harmonics, op, f); };
+    const double pq = work(grid, q, answer(p));
+    const double qp = work(grid, p, answer(q));
+    const double size = work(grid, p, answer(p));
+    CHECK(std::abs(pq - qp) < 1e-12 * (std::abs(size) + std::abs(pq)));
   }
 }
 
@@ -136,8 +138,27 @@ TEST_CASE("LayerThatAnswersAllHarmonicsAlikeIsAColumn", "[harmonics]") {
   const auto grid = uneven_grid();
   const Harmonics harmonics(grid, 10);
   const HarmonicOperator column(11, 3.0 * Eigen::MatrixXd::Identity(grid.nz, grid.nz));
-  const Field p = random_field(grid.cells(), 6), u = apply(harmonics, column, p, Tail::last);
+  const Field p = random_field(grid.cells(), 6), u = FieldOperator(harmonics, column)(p);
   for (std::size_t k = 0; k < p.size(); ++k) CHECK(std::abs(u[k] - 3.0 * p[k]) < 1e-14);
+}
+
+TEST_CASE("AnOperatorMadeReadyIsThatOfTheSeries", "[harmonics]") {
+  // (1) of field_operator.hpp, for lines of every length that registers are filled with otherwise.
+  for (const int nz : {1, 5, 8, 13, 17, 25, 34, 50}) {
+    const auto grid = make_grid(0.02, 0.03, 40, nz, false);
+    const Harmonics harmonics(grid, 11);
+    const auto op = symmetric_operator(grid, 11);
+    const Field f = random_field(grid.cells(), nz);
+    HarmonicOperator rest = op;
+    for (auto& m : rest) m -= op.back();
+    const Eigen::Map<const Eigen::MatrixXd> columns(f.data(), nz, grid.nt);
+    const Eigen::MatrixXd tail = op.back() * columns;
+    const Field within = apply(harmonics, rest, f), u = FieldOperator(harmonics, op)(f);
+    for (std::size_t k = 0; k < f.size(); ++k) {
+      // round-off of sums of 40 terms of the operator's size
+      CHECK(std::abs(u[k] - within[k] - tail.data()[k]) < 1e-13 * op.front().norm());
+    }
+  }
 }
 
 TEST_CASE("ComposedOperatorsActOneAfterTheOther", "[harmonics]") {

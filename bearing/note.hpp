@@ -216,7 +216,15 @@ struct NotLaminar {
 
 /// A film whose inertia is no longer small beside its viscous forces.
 struct FilmInertia {
-  double reduced = 0.0;  ///< rho omega c^2/eta [-]
+  double reduced = 0.0;   ///< rho omega c^2/eta, of a squeezed film rho v c/eta [-]
+  bool squeezed = false;  ///< by a journal that moves by v
+};
+
+/// A layer that is pressed beyond its hardness and taken as elastic.
+struct LayerBeyondHardness {
+  std::string name;       ///< of its material
+  double p_max = 0.0;     ///< film pressure [Pa]
+  double hardness = 0.0;  ///< [Pa]
 };
 
 /// Oil that is pressed out of a supply so fast that its inertia counts.
@@ -359,12 +367,13 @@ using Note = std::variant<
     note::OtherRoots, note::FactorsContinued, note::ShearBeyondLaw, note::BeyondOilRange,
     note::BeyondContactLaw, note::HeldAtHardness, note::EdgeNotResolved, note::ShapeBetweenCells,
     note::ProfileBetweenCells, note::ContactLeftOut, note::NotLaminar, note::FilmInertia,
-    note::FedFlow, note::OilSheared, note::VesselEmpty, note::MouthWidened, note::WornThrough,
-    note::LayerFlown, note::WornBeyondClearance, note::WearLedOn, note::StatesEnd,
-    note::LiningTooHot, note::OtherSteadyState, note::LayerPressed, note::NothingRicher,
-    note::TierTaken, note::BarsFromFinerGrid, note::RicherNotFound, note::EffectsNotJudged,
-    note::ScalarsOfFinerGrid, note::ToleranceNotMet, note::LandUnseen, note::SuppliesJoined,
-    note::HardlySliding, note::SupplyTakesBack, note::ColdClearance, note::ShaftSwing,
-    note::LongEvent, note::CyclesWander, note::JointPulls, note::LoadMissed, note::EstimateOfFilm, note::EstimateWithoutMass>;
+    note::LayerBeyondHardness, note::FedFlow, note::OilSheared, note::VesselEmpty,
+    note::MouthWidened, note::WornThrough, note::LayerFlown, note::WornBeyondClearance,
+    note::WearLedOn, note::StatesEnd, note::LiningTooHot, note::OtherSteadyState,
+    note::LayerPressed, note::NothingRicher, note::TierTaken, note::BarsFromFinerGrid,
+    note::RicherNotFound, note::EffectsNotJudged, note::ScalarsOfFinerGrid, note::ToleranceNotMet,
+    note::LandUnseen, note::SuppliesJoined, note::HardlySliding, note::SupplyTakesBack,
+    note::ColdClearance, note::ShaftSwing, note::LongEvent, note::CyclesWander, note::JointPulls,
+    note::LoadMissed, note::EstimateOfFilm, note::EstimateWithoutMass>;
 
 }  // namespace shellback::bearing

@@ -185,6 +185,14 @@ void add_strain(const BearingModel& m, double p_max, double p_slope, std::vector
   }
 }
 
+void add_soft_layer(const BearingModel& m, double p_max, std::vector<Note>& out) {
+  if (!m.physics.elastic || !m.input.shell || m.input.shell->layers.empty()) return;
+  const ShellLayer& first = m.input.shell->layers.front();
+  const double hardness = first.material.hardness;
+  if (first.elasto_plastic || !(hardness > 0.0) || !(p_max > hardness)) return;
+  out.push_back(note::LayerBeyondHardness{first.material.name, p_max, hardness});
+}
+
 }  // namespace
 
 note::NotLaminar reynolds_number(const Case& c, double U, double T) {
@@ -209,6 +217,11 @@ void add_turbulence(const Case& c, double U, double T, std::vector<Note>& notes)
   if (film.reynolds > film.limit) notes.push_back(film);
   const double reduced = reduced_reynolds(c, film);
   if (reduced > kInertiaMatters) notes.push_back(note::FilmInertia{reduced});
+}
+
+void add_squeeze_inertia(const Case& c, double velocity, double T, std::vector<Note>& notes) {
+  const double reduced = reynolds_number(c, velocity, T).reynolds;
+  if (reduced > kInertiaMatters) notes.push_back(note::FilmInertia{reduced, true});
 }
 
 std::vector<Note> oil_range_warnings(const rheology::Oil& oil, double T_low, double T_high,
@@ -283,6 +296,7 @@ std::vector<Note> range_warnings(const BearingModel& m, const FilmReach& reach) 
   add_lands(m, out);
   add_joined_supplies(m, out);
   add_strain(m, reach.p_max, reach.p_slope, out);
+  add_soft_layer(m, reach.p_max, out);
   if (reach.shear_rate > m.oil.range.rate_max) {
     out.push_back(note::ShearBeyondLaw{reach.shear_rate, m.oil.range.rate_max});
   }

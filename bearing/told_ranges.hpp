@@ -68,6 +68,10 @@ void add_contact_left_out(const Case& c, double h_min, std::vector<Note>& notes)
 /// One note if that limit is passed, one if the film's inertia matters; U [m/s], T [K].
 void add_turbulence(const Case& c, double U, double T, std::vector<Note>& notes);
 
+/// A note on the inertia of a film that a journal squeezes, where it moves by up to `velocity`
+/// [m/s] in oil of temperature T [K]: rho v c/eta beyond 1 (methods 7.2 with v/c as its rate).
+void add_squeeze_inertia(const Case& c, double velocity, double T, std::vector<Note>& notes);
+
 /// Shear stress that oils bear, beyond which they slip or flow plastically however viscous, at
 /// ambient pressure and more by the pressure: tau_L = kShearAtRest + kShearByPressure p. Source:
 /// textbook (limiting shear stress in traction: 1 to 5 MPa, and 0.05 to 0.1 of the pressure); the

@@ -218,6 +218,7 @@ CycleResult estimate_cycle(const Case& c, const SolveControl& control) {
         [](const CycleInstant& a, const CycleInstant& b) { return a.omega < b.omega; });
     const double fastest = std::max(std::abs(back->omega), std::abs(forth->omega));
     add_turbulence(c, fastest * c.bearing.radius, T, r.warnings);
+    add_squeeze_inertia(c, fastest_motion(r.instants), T, r.warnings);
     add_contact_left_out(c, extreme(r.instants, &CycleInstant::h_min, Extreme::smallest).h_min,
                          r.warnings);
     r.quantities = quantities(path, T);

@@ -9,7 +9,8 @@ namespace {
 
 using namespace rheology;
 
-constexpr double kPerGiga = 1e9;  ///< 1/Pa to 1/GPa
+constexpr double kPerGiga = 1e9;      ///< 1/Pa to 1/GPa
+constexpr double kBarusEnds = 200e6;  ///< docs/models.md: Roelands lies below it beyond [Pa]
 
 /// A value written as text alone ("832.5 kg/m3") is the constant law.
 bool is_constant(const Section& oil, const std::string& key) { return !oil.is_table(key); }
@@ -112,11 +113,15 @@ HeatCapacityLaw read_heat_capacity(const Section& oil) {
                                  law.quantity("s", kNumber, kPositive), law.quantity("n", kNumber)};
 }
 
-ValidityRange read_range(const Section& oil) {
+/// `pressure`: its law, which tells how far it goes where the case does not.
+ValidityRange read_range(const Section& oil, const PressureLaw& pressure) {
   ValidityRange range;
+  if (std::holds_alternative<rheology::Barus>(pressure)) range.p_max = kBarusEnds;
   const auto valid = oil.maybe_section("valid");
   if (!valid) {
-    oil.assume("oil: no range of validity is given; the laws are used at any temperature");
+    oil.assume(
+        "oil: no range of validity is given (oil.valid); the laws are used at any temperature and "
+        "shear rate");
     return range;
   }
   valid->only({"temperature", "pressure", "shear_rate"}, "oil.valid");
@@ -213,7 +218,7 @@ Oil read_oil(const Section& file) {
   read_viscosity(section, oil);
   oil.conductivity = read_conductivity(section);
   oil.heat_capacity = read_heat_capacity(section);
-  oil.range = read_range(section);
+  oil.range = read_range(section, oil.pressure);
   oil.assumed = section.texts("assumed");
   if (!own.empty()) {
     section.assume(

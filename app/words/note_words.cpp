@@ -261,7 +261,23 @@ std::string text_of(const note::NotLaminar& n) {
       n.reynolds, n.limit);
 }
 
+std::string text_of(const note::LayerBeyondHardness& n) {
+  return fmt::format(
+      "film pressures of up to {:.4g} MPa press the layer of {} beyond its hardness, {:.4g} MPa, "
+      "and "
+      "it is taken as elastic: that it flows there is left out (elasto_plastic = true of the "
+      "layer)",
+      1e-6 * n.p_max, n.name, 1e-6 * n.hardness);
+}
+
 std::string text_of(const note::FilmInertia& n) {
+  if (n.squeezed) {
+    return fmt::format(
+        "inertia of the film that the journal squeezes matters, and is not modelled: rho v c/eta "
+        "reaches {:.2g}, viscous forces are no longer much larger (the oil adds mass to the "
+        "journal)",
+        n.reduced);
+  }
   return fmt::format(
       "inertia of the film matters, and is not modelled: rho omega c^2/eta is {:.2g}, viscous "
       "forces are no longer much larger",

@@ -40,6 +40,13 @@ enum class Extreme { smallest, largest };
                                     : *std::max_element(all.begin(), all.end(), less);
 }
 
+/// Largest velocity of the journal [m/s].
+[[nodiscard]] inline double fastest_motion(const std::vector<CycleInstant>& all) {
+  double most = 0.0;
+  for (const CycleInstant& i : all) most = std::max(most, std::hypot(i.vx, i.vy));
+  return most;
+}
+
 /// In the unit in which quantities of that name are told (quantities.hpp).
 [[nodiscard]] inline CycleQuantity quantity_of(
     const char* name, double value, double at = std::numeric_limits<double>::quiet_NaN()) {

@@ -323,6 +323,7 @@ void CycleRecord::tell_ranges(CycleResult& r) const {
   for (Note& w : range_warnings(m, reach)) r.warnings.push_back(std::move(w));
   add_turbulence(m.input, course_->largest_speed() * m.input.bearing.radius, T_film_ / told(),
                  r.warnings);
+  add_squeeze_inertia(m.input, fastest_motion(instants_), T_film_ / told(), r.warnings);
   add_fed_flow(fed_fastest_, r.warnings);
   add_sheared_oil(sheared_, r.warnings);
   for (const LimiterCount& l : contact_limiters(m, h_min_)) r.limiters.push_back(l);

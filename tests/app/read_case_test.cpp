@@ -418,6 +418,22 @@ TEST_CASE("AHousingMustEncloseTheShell") {
               {"does not enclose the shell", "54 mm"});
 }
 
+TEST_CASE("BarusGoesAsFarAsItIsKnownToWhereTheCaseDoesNotTell") {
+  const auto p_max = [](const std::string& from, const std::string& to) {
+    return read_case_text(sample_with(from, to), "case.toml").oil.range.p_max;
+  };
+  const std::string valid =
+      "valid = { temperature = [\"20 degC\", \"150 degC\"], pressure = "
+      "\"200 MPa\", shear_rate = \"1e7 1/s\" }";
+  CHECK(p_max(valid, "") == near(200e6));  // docs/models.md
+  CHECK(p_max("\"200 MPa\"", "\"350 MPa\"") == near(350e6));
+  CHECK(p_max(valid, "valid = { shear_rate = \"1e7 1/s\" }") == near(200e6));
+  std::string none = sample_with(valid, "");
+  const std::string law = "viscosity.pressure = { law = \"barus\", alpha = \"9.5e-9 1/Pa\" }";
+  none.replace(none.find(law), law.size(), "");
+  CHECK(read_case_text(none, "case.toml").oil.range.p_max > 1e11);
+}
+
 TEST_CASE("AProfileIsReadBesideTheCase") {
   const ScratchFolder scratch;
   scratch.write("profile.csv",

@@ -468,3 +468,68 @@ TEST_CASE("FlowFactorsBelowTheirFitsAreTold", "[refusal]") {
     }
   }
 }
+
+TEST_CASE("TheInertiaOfASqueezedFilmIsMarked", "[refusal]") {
+  // rho v c/eta beyond 1, with the largest velocity v of a journal that does not turn; a film of
+  // constant viscosity knows eta times v alone, and v goes with the load.
+  Case c = plain_case();
+  c.model.grid = {24, 5};
+  c.bearing.radial_clearance = 100e-6;
+  c.supplies[0].kind = SupplyKind::circumferential_groove;
+  c.supplies[0].arc = 2.0 * kPi;
+  c.supplies[0].length = 0.002;
+  c.supplies[0].pressure = 5e5;
+  const double rho = std::get<rheology::ConstantDensity>(c.oil.density).rho;
+  const double eta = 2e-3;
+  c.oil.temperature = rheology::ConstantViscosity{eta};
+  const auto of = [&](double force) {
+    LoadCycle cycle;
+    cycle.period = 0.001;
+    cycle.interpolation = LoadInterpolation::periodic_spline;
+    for (int k = 0; k < 24; ++k) {
+      cycle.t.push_back(cycle.period * k / 24);
+      cycle.x.push_back(force * std::cos(2.0 * kPi * k / 24));
+      cycle.y.push_back(force * std::sin(2.0 * kPi * k / 24));
+      cycle.omega.push_back(0.0);
+    }
+    c.cycle = cycle;
+    return solve_cycle(c, Tier::isothermal);
+  };
+  const auto marked = [](const CycleResult& r) {
+    return std::any_of(r.warnings.begin(), r.warnings.end(), [](const Note& w) {
+      const auto* inertia = std::get_if<note::FilmInertia>(&w);
+      return inertia != nullptr && inertia->squeezed;
+    });
+  };
+  for (const double force : {1.0, 40.0}) {
+    const CycleResult r = of(force);
+    INFO(app::reason_of(r.verdict));
+    REQUIRE(r.verdict.good());
+    double v = 0.0;
+    for (const CycleInstant& i : r.instants) v = std::max(v, std::hypot(i.vx, i.vy));
+    INFO("force " << force << " N, rho v c/eta " << rho * v * 100e-6 / eta);
+    CHECK(marked(r) == (rho * v * 100e-6 / eta > 1.0));
+    CHECK(marked(r) == (force > 10.0));
+  }
+}
+
+TEST_CASE("ALayerPressedBeyondItsHardnessIsMarkedWhereItIsElastic", "[refusal]") {
+  Case c = rig_case();
+  c.model.grid = {40, 7};
+  c.model.switches.elastic_deformation = true;
+  const auto solved = [&] { return summarize(solve_tier(c, Tier::isothermal), Tier::isothermal); };
+  const auto marked = [](const Result& r) {
+    return std::any_of(r.warnings.begin(), r.warnings.end(), [](const Note& w) {
+      return std::holds_alternative<note::LayerBeyondHardness>(w);
+    });
+  };
+  solid::Material& lining = c.shell->layers.front().material;
+  lining.hardness = 0.0;  // not known
+  const Result free = solved();
+  REQUIRE(free.verdict.good());
+  CHECK_FALSE(marked(free));
+  lining.hardness = 0.9 * free.value("p_max");
+  CHECK(marked(solved()));
+  lining.hardness = 1.1 * free.value("p_max");
+  CHECK_FALSE(marked(solved()));
+}

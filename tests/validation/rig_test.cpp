@@ -191,6 +191,7 @@ TEST_CASE("OnlyATorqueThatRisesBeforeTheStopDoes", "[rig]") {
                       {3.0, 27.0, 0.4, 0.0},
                       {5.0, 9.0, 0.15, 0.0},
                       {5.9, 0.9, at_stop, 0.0},
+                      {5.99, 0.009, 0.1 * at_stop, 0.0},  // friction of summits that stop to slide
                       {6.0, 6e-8, 0.001, 0.0}};
       study.starts.push_back(start);
     }

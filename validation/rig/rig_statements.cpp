@@ -227,16 +227,18 @@ void Judge::hysteresis() {
       warm.words(" N m"), warm.in(0.1, 0.3));
 }
 
-/// The smallest torque while the journal slows down, and the largest between there and the stop.
+/// While the journal slows down a smallest torque and a larger one behind it, the two whose ratio
+/// is largest: in the end every torque falls, with the friction of summits that stop to slide.
 std::array<double, 2> rise_at_stop(const RigStart& s) {
-  std::array<double, 2> rise{std::numeric_limits<double>::infinity(), 0.0};
   const auto slower = [](const RigInstant& a, const RigInstant& b) { return a.omega < b.omega; };
   auto i = std::max_element(s.series.begin(), s.series.end(), slower);
+  std::array<double, 2> rise{std::numeric_limits<double>::infinity(), 0.0};
   if (i == s.series.end()) return rise;
+  rise = {i->torque, i->torque};
   const double stands = kStands * i->omega;
-  for (; i != s.series.end() && i->omega > stands; ++i) {
-    if (i->torque < rise[0]) rise = {i->torque, i->torque};
-    rise[1] = std::max(rise[1], i->torque);
+  for (double least = i->torque; i != s.series.end() && i->omega > stands; ++i) {
+    least = std::min(least, i->torque);
+    if (i->torque * rise[0] > rise[1] * least) rise = {least, i->torque};
   }
   return rise;
 }

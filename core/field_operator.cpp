@@ -115,7 +115,7 @@ Field FieldOperator::operator()(const Field& field) const {
   f.topLeftCorner(rows_, lines_) = Columns(field.data(), rows_, lines_);
   Eigen::MatrixXd c = Eigen::MatrixXd::Zero(ld, whole_blocks(coefficients_));
   add_product(f, lines_, analysis_, coefficients_, c);
-  Eigen::MatrixXd u = Eigen::MatrixXd::Zero(ld, coefficients_ + 1);  // pairs of columns
+  Eigen::MatrixXd u = Eigen::MatrixXd::Zero(ld, coefficients_);
   for (int n = 0; 2 * n < coefficients_; ++n) {
     const int col = std::max(2 * n - 1, 0);
     const double* at = c.col(col).data();

@@ -14,12 +14,11 @@ namespace shellback {
 
 class FieldOperator {
  public:
-  /// None: `ready()` is false.
+  /// Of no field.
   FieldOperator() = default;
   /// Square operators of all harmonics of the transform.
   FieldOperator(const Harmonics& harmonics, const HarmonicOperator& op);
 
-  [[nodiscard]] bool ready() const { return rows_ > 0; }
   /// (1) of a cell field of any unit.
   [[nodiscard]] Field operator()(const Field& field) const;
 

@@ -79,7 +79,8 @@ FixedPointEnd fixed_point(const Map& map, const FixedPointOptions& o, std::vecto
   SUNContext raw = context.get();
   const auto n = static_cast<sunindextype>(x.size());
   const sundials::Vector u(N_VMake_Serial(n, x.data(), raw));
-  const sundials::Vector scale(N_VNew_Serial(n, raw));
+  sundials::work_in_lanes(u.get());
+  const sundials::Vector scale(N_VClone(u.get()));
   N_VConst(1.0, scale.get());
   const sundials::Owned<void*, FreeKinsol> solver(KINCreate(raw));
   Call call{&map, &o, x, x};

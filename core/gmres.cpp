@@ -52,20 +52,6 @@ int precondition(void* data, N_Vector r, N_Vector z, double /*tolerance*/, int /
   return 0;
 }
 
-// The vectors' operations in as many lanes as the machine has: those of SUNDIALS take one number
-// after the other, and orthogonalisation is little else.
-double dot(N_Vector a, N_Vector b) { return numbers(a).dot(numbers(b)); }
-void scale(double c, N_Vector x, N_Vector z) { numbers(z) = c * numbers(x); }
-void linear_sum(double a, N_Vector x, double b, N_Vector y, N_Vector z) {
-  numbers(z) = a * numbers(x) + b * numbers(y);
-}
-int linear_combination(int n, double* c, N_Vector* x, N_Vector z) {
-  Numbers sum = numbers(z);  // it may be the first of x, and no other
-  sum = c[0] * numbers(x[0]);
-  for (int k = 1; k < n; ++k) sum += c[k] * numbers(x[k]);
-  return 0;
-}
-
 /// SPGMR and its vectors, one per thread and used again by every solve of its size: to make as many
 /// as there may be iterations takes longer than what is done with them.
 class KrylovSpace {
@@ -113,10 +99,7 @@ class KrylovSpace {
   /// Clones are made with the operations of their model.
   [[nodiscard]] sundials::Vector make_vector() const {
     sundials::Vector x(N_VNew_Serial(n_, context_.get()));
-    x->ops->nvdotprod = dot;
-    x->ops->nvscale = scale;
-    x->ops->nvlinearsum = linear_sum;
-    x->ops->nvlinearcombination = linear_combination;
+    sundials::work_in_lanes(x.get());
     return x;
   }
 

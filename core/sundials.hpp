@@ -36,6 +36,10 @@ inline void require(int flag, const char* part) {
   if (flag < 0) throw std::runtime_error(std::string(part) + " could not be set up");
 }
 
+/// The operations of `x`, and of all that are cloned from it, in as many lanes as the machine has:
+/// those of SUNDIALS take one number after the other.
+void work_in_lanes(N_Vector x);
+
 [[nodiscard]] inline Context make_context(const char* part) {
   SUNContext raw = nullptr;
   require(SUNContext_Create(nullptr, &raw) == 0 ? 0 : -1, part);
